@@ -1,0 +1,158 @@
+# Seilwerk.  make help lists the targets; the README tells the rest.
+
+PREFIX = /usr/local
+DESTDIR =
+PROGRAM_PREFIX =
+BUILD = build
+
+# The user's: they come last and win.
+CFLAGS = -O2 -g
+CPPFLAGS =
+LDFLAGS =
+
+VERSION := $(shell cat VERSION)
+WARN = -Wall -Wextra -Wshadow -Wconversion
+HARDEN_CPP = -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2
+HARDEN = -fstack-protector-strong -fPIE
+HARDEN_LD = -pie -Wl,-z,relro,-z,now
+OWN_CPPFLAGS = -D_GNU_SOURCE -DSEILWERK_VERSION='"$(VERSION)"' -Icommon \
+  $(if $(filter -O0,$(CFLAGS)),,$(HARDEN_CPP))
+OWN_CFLAGS = -std=c11 $(WARN) $(HARDEN)
+COMPILE = $(CC) $(OWN_CPPFLAGS) $(OWN_CFLAGS) $(CPPFLAGS) $(CFLAGS)
+LINK = $(CC) $(OWN_CFLAGS) $(HARDEN_LD) $(CFLAGS) $(LDFLAGS)
+LIBS = -Wl,--as-needed -llapacke -lopenblas -linih -lcsv -lm
+
+TOOLS = $(patsubst tools/%.c,%,$(wildcard tools/*.c))
+COMMON = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard common/*/*.c))
+LIB = $(BUILD)/libseilwerk.a
+UNIT = $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(wildcard tests/unit/*_test.c))
+FUZZ = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz_%,$(wildcard tests/fuzz/*_fuzz.c))
+HELPERS = $(BUILD)/tests/compare $(BUILD)/tests/faults.so
+MAN = $(wildcard man/*.[1-9])
+
+all: $(TOOLS:%=$(BUILD)/bin/%)
+
+help:
+	@echo 'all          build the tools into $(BUILD)/bin'
+	@echo 'demo         run the pipeline on a real stay cable; tables, CSV and PNG in $(BUILD)/demo'
+	@echo 'check        all tests;  check-deep: sanitizers, valgrind, long fuzzing, 1e8 numbers'
+	@echo 'bench        rates beside their targets'
+	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean, dist'
+	@echo 'deps         install the Debian packages of all classes (deps-build, -check, -demo, -optional)'
+
+$(BUILD)/obj/%.o: %.c VERSION
+	@mkdir -p $(@D)
+	$(COMPILE) -MMD -MP -c -o $@ $<
+
+$(LIB): $(COMMON)
+	rm -f $@
+	$(AR) rcs $@ $(COMMON)
+
+$(BUILD)/bin/%: $(BUILD)/obj/tools/%.o $(LIB)
+	@mkdir -p $(@D)
+	$(LINK) -o $@ $< $(LIB) $(LIBS)
+
+$(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIB)
+	@mkdir -p $(@D)
+	$(LINK) -o $@ $< $(LIB) -lcmocka $(LIBS)
+
+$(BUILD)/tests/compare: $(BUILD)/obj/tests/compare.o $(LIB)
+	@mkdir -p $(@D)
+	$(LINK) -o $@ $< $(LIB) $(LIBS)
+
+$(BUILD)/tests/bench: $(BUILD)/obj/tests/bench.o $(LIB)
+	@mkdir -p $(@D)
+	$(LINK) -o $@ $< $(LIB) $(LIBS)
+
+$(BUILD)/tests/faults.so: tests/fault/faults.c
+	@mkdir -p $(@D)
+	$(CC) $(OWN_CPPFLAGS) -std=c11 $(WARN) -O1 -fPIC -shared -o $@ $< -ldl
+
+# A fuzz target without a fuzzer: replays the files that it is given.
+$(BUILD)/tests/fuzz_%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/obj/tests/fuzz/replay.o $(LIB)
+	@mkdir -p $(@D)
+	$(LINK) -o $@ $^ $(LIBS)
+
+# The same with libFuzzer: make fuzz SECONDS=600 grows the corpus under $(BUILD)/corpus.
+SECONDS = 60
+LIBFUZZ = $(patsubst tests/fuzz/%.c,$(BUILD)/fuzz/%,$(wildcard tests/fuzz/*_fuzz.c))
+$(BUILD)/fuzz/%: tests/fuzz/%.c $(wildcard common/*/*.[ch])
+	@mkdir -p $(@D)
+	clang $(OWN_CPPFLAGS) -std=c11 -g -O1 -fsanitize=fuzzer,address,undefined \
+	  -o $@ $< $(wildcard common/*/*.c) $(LIBS)
+
+fuzz: $(LIBFUZZ)
+	@for t in $(LIBFUZZ); do n=$${t##*/}; mkdir -p $(BUILD)/corpus/$$n; \
+	  $$t -max_total_time=$(SECONDS) -max_len=4096 -print_final_stats=1 -close_fd_mask=1 \
+	    $(BUILD)/corpus/$$n tests/fuzz/corpus/$${n%_fuzz} || exit 1; done
+
+-include $(COMMON:.o=.d) $(wildcard $(BUILD)/obj/tools/*.d $(BUILD)/obj/tests/*.d $(BUILD)/obj/tests/*/*.d)
+
+# Packages: scripts/packages is the one list.
+deps: deps-build deps-check deps-demo deps-optional
+deps-build:
+	@scripts/deps build
+deps-check:
+	@scripts/deps build check
+deps-demo:
+	@scripts/deps build demo
+deps-optional:
+	@scripts/deps optional
+
+demo: deps-demo
+	@$(MAKE) --no-print-directory all
+	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 scripts/demo '$(BUILD)/demo'
+
+TEST_ENV = SEILWERK_BUILD='$(abspath $(BUILD))' PATH='$(abspath $(BUILD))/bin':$$PATH \
+  OPENBLAS_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP CC='$(CC)'
+SUITES = $(UNIT) $(sort $(wildcard tests/cli/*.sh tests/cross/*.sh tests/fault/*.sh))
+
+test-programs: all $(UNIT) $(FUZZ) $(HELPERS)
+
+check: deps-check
+	@$(MAKE) --no-print-directory test-programs
+	@$(TEST_ENV) prove -j2 $(SUITES)
+
+# The same tests under the sanitizers, then what takes long.
+SANITIZE = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+check-deep: deps-check deps-optional
+	@$(MAKE) --no-print-directory check
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/asan CFLAGS='$(SANITIZE)' HARDEN_CPP= test-programs
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/asan CFLAGS='$(SANITIZE)' HARDEN_CPP= check-sanitized
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/clang CC=clang test-programs
+	@$(TEST_ENV) SEILWERK_DEEP=1 prove $(sort $(wildcard tests/deep/*.sh))
+	@$(MAKE) --no-print-directory fuzz
+
+check-sanitized:
+	@$(TEST_ENV) SEILWERK_SANITIZED=1 ASAN_OPTIONS=detect_leaks=0 prove -j2 $(UNIT) \
+	  $(sort $(wildcard tests/cli/*.sh))
+
+bench: deps-build
+	@$(MAKE) --no-print-directory all $(BUILD)/tests/bench
+	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 $(BUILD)/tests/bench
+
+install: all
+	@mkdir -p '$(DESTDIR)$(PREFIX)/bin' $(foreach s,1 5 7,'$(DESTDIR)$(PREFIX)/share/man/man$s')
+	@for t in $(TOOLS); do \
+	  install -m 755 $(BUILD)/bin/$$t '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)'$$t || exit 1; done
+	@for m in $(MAN); do n=$${m##*/}; s=$${m##*.}; \
+	  case $$s in 1) n=$(PROGRAM_PREFIX)$$n ;; esac; \
+	  install -m 644 $$m '$(DESTDIR)$(PREFIX)/share/man/man'$$s/$$n || exit 1; done
+
+uninstall:
+	@for t in $(TOOLS); do rm -f '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)'$$t; done
+	@for m in $(MAN); do n=$${m##*/}; s=$${m##*.}; \
+	  case $$s in 1) n=$(PROGRAM_PREFIX)$$n ;; esac; \
+	  rm -f '$(DESTDIR)$(PREFIX)/share/man/man'$$s/$$n; done
+
+clean:
+	rm -rf $(BUILD)
+
+dist:
+	@mkdir -p $(BUILD)
+	git archive --prefix=seilwerk-$(VERSION)/ HEAD | gzip -n9 >$(BUILD)/seilwerk-$(VERSION).tar.gz
+
+.PHONY: all help deps deps-build deps-check deps-demo deps-optional demo test-programs check \
+  check-deep check-sanitized fuzz bench install uninstall clean dist
+.SECONDARY:
+.DELETE_ON_ERROR:

@@ -1,0 +1,515 @@
+/* Case file to structs and back: one table of keys serves both ways. */
+#include "form/cable.h"
+#include "num/mem.h"
+#include "sys/in.h"
+#include "sys/number.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+#define BIG 1e9
+
+enum kind {
+    NUMBERS, /* least..most numbers in [min, max] (doubles) */
+    WHOLE,   /* whole number in [min, max] (int) */
+    WORD,    /* one of words, its index (int) */
+    TEXT     /* up to 63 characters */
+};
+
+struct key {
+    const char *section, *name;
+    enum kind kind;
+    size_t at;            /* offset in struct cable_case, or in the item of a labelled section */
+    int least, most;      /* how many numbers */
+    double min, max;
+    const char *words;    /* WORD: choices; NUMBERS: a word that stands for 0 */
+    const char *fallback; /* default as text, or NULL: none */
+};
+
+#define AT(member) offsetof(struct cable_case, member)
+#define IN_MOTION(member) offsetof(struct motion, member)
+#define IN_DISTURBANCE(member) offsetof(struct disturbance, member)
+
+static const struct key keys[] = {
+    {"cable", "unstressed_length", NUMBERS, AT(cable.L0), 1, 1, 1e-6, BIG, NULL, NULL},
+    {"cable", "mass_per_length", NUMBERS, AT(cable.mu), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"cable", "youngs_modulus", NUMBERS, AT(youngs_modulus), 1, 1, 1e-3, 1e18, NULL, NULL},
+    {"cable", "area", NUMBERS, AT(area), 1, 1, 1e-15, BIG, NULL, NULL},
+    {"cable", "axial_stiffness", NUMBERS, AT(cable.EA), 1, 1, 1e-9, 1e18, NULL, NULL},
+    {"supports", "span", NUMBERS, AT(cable.span), 1, 1, 1e-6, BIG, NULL, NULL},
+    {"supports", "drop", NUMBERS, AT(cable.drop), 1, 1, -BIG, BIG, NULL, "0"},
+    {"gravity", "acceleration", NUMBERS, AT(cable.g), 1, 1, 0, 1e6, NULL, "9.81"},
+    {"mesh", "elements", WHOLE, AT(elements), 1, 1, 1, 1e6, NULL, "20"},
+    {"mesh", "law", WORD, AT(law), 1, 1, 0, 0, "hooke thesis printed", "hooke"},
+    {"damping", "alpha", NUMBERS, AT(alpha), 1, 1, 0, BIG, NULL, NULL},
+    {"damping", "beta", NUMBERS, AT(beta), 1, 1, 0, BIG, NULL, NULL},
+    {"damping", "zeta", NUMBERS, AT(zeta), 2, 2, 0, 1e3, NULL, NULL},
+    {"damping", "omega", NUMBERS, AT(zeta_omega), 2, 2, 1e-9, BIG, NULL, NULL},
+    {"motion", "support", WORD, IN_MOTION(support), 1, 1, 0, 0, "right left", "right"},
+    {"motion", "amplitude", NUMBERS, IN_MOTION(amplitude), 3, 3, -BIG, BIG, NULL, NULL},
+    {"motion", "omega", NUMBERS, IN_MOTION(omega), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"motion", "phase", NUMBERS, IN_MOTION(phase), 1, 3, -BIG, BIG, NULL, "0"},
+    {"motion", "ramp", NUMBERS, IN_MOTION(ramp), 1, 1, 0, BIG, NULL, "0"},
+    {"time", "end", NUMBERS, AT(time.end), 1, 1, 0, BIG, NULL, NULL},
+    {"time", "scheme", WORD, AT(time.scheme), 1, 1, 0, 0, "central", "central"},
+    {"time", "step", NUMBERS, AT(time.step), 1, 1, 1e-12, BIG, "auto", "auto"},
+    {"time", "start", TEXT, AT(time.start_text), 1, 1, 0, 0, NULL, "static"},
+    {"time", "output_every", NUMBERS, AT(time.output_every), 1, 1, 1e-12, BIG, NULL, NULL},
+    {"time", "probes", NUMBERS, AT(time.probe), 1, MAX_PROBES, 0, 1, NULL, "0.5"},
+    {"nonlinear", "terms", WHOLE, AT(terms), 1, 1, 0, 3, NULL, "3"},
+    {"disturbance", "time", NUMBERS, IN_DISTURBANCE(time), 1, 1, 0, BIG, NULL, "0"},
+    {"disturbance", "mode", WHOLE, IN_DISTURBANCE(mode), 1, 1, 1, 6e6, NULL, NULL},
+    {"disturbance", "node", WHOLE, IN_DISTURBANCE(node), 1, 1, 1, 1e6, NULL, NULL},
+    {"disturbance", "amplitude", NUMBERS, IN_DISTURBANCE(amplitude), 1, 3, -BIG, BIG, NULL, NULL},
+    {"disturbance", "kind", WORD, IN_DISTURBANCE(kind), 1, 1, 0, 0, "displacement velocity",
+     "displacement"},
+};
+#define N_KEYS ((int)(sizeof keys / sizeof *keys))
+
+/* What reading needs everywhere. */
+struct reading {
+    const struct ini *ini;
+    struct why *why;
+};
+
+/* Length of a section's name without its label. */
+static size_t bare(const char *section)
+{
+    return strcspn(section, " ");
+}
+
+static int is_section(const char *section, const char *name)
+{
+    return bare(section) == strlen(name) && strncmp(section, name, strlen(name)) == 0;
+}
+
+static int is_labelled(const char *name)
+{
+    return is_section(name, "motion") || is_section(name, "disturbance");
+}
+
+/* One value of a key: text to the place to. */
+static enum status take_numbers(const struct reading *r, const struct ini_entry *e,
+                                const struct key *k, const char *text, double *to)
+{
+    char copy[INI_LINE_BYTES + 1], *word, *rest = NULL;
+    int n = 0;
+
+    for (int i = 0; i < k->most; i++)
+        to[i] = NAN;
+    if (k->words && strcmp(text, k->words) == 0) {
+        to[0] = 0;
+        return SW_OK;
+    }
+    snprintf(copy, sizeof copy, "%s", text);
+    for (word = strtok_r(copy, " \t", &rest); word; word = strtok_r(NULL, " \t", &rest)) {
+        const char *reason;
+
+        if (n == k->most)
+            return ini_fail(r->why, r->ini, e, "%s: more than %d number%s", k->name, k->most,
+                            k->most > 1 ? "s" : "");
+        reason = number_read(word, &to[n]);
+        if (reason)
+            return ini_fail(r->why, r->ini, e, "%s: '%s': %s", k->name, word, reason);
+        if (!(to[n] >= k->min && to[n] <= k->max))
+            return ini_fail(r->why, r->ini, e, "%s: %s is outside of %g to %g", k->name, word,
+                            k->min, k->max);
+        n++;
+    }
+    if (n < k->least)
+        return ini_fail(r->why, r->ini, e, "%s: %d numbers are expected", k->name, k->least);
+    return SW_OK;
+}
+
+static enum status take_word(const struct reading *r, const struct ini_entry *e,
+                             const struct key *k, const char *text, int *to)
+{
+    const char *p = k->words;
+    size_t length = strlen(text);
+
+    for (*to = 0; *p; (*to)++) {
+        size_t l = strcspn(p, " ");
+
+        if (l == length && strncmp(p, text, l) == 0)
+            return SW_OK;
+        p += l + (p[l] == ' ');
+    }
+    return ini_fail(r->why, r->ini, e, "%s: '%s' is not one of: %s", k->name, text, k->words);
+}
+
+static enum status take_whole(const struct reading *r, const struct ini_entry *e,
+                              const struct key *k, const char *text, int *to)
+{
+    long value = -1;
+    const char *reason = text ? integer_read(text, (long)k->min, (long)k->max, &value) : NULL;
+
+    if (reason)
+        return ini_fail(r->why, r->ini, e, "%s: '%s': %s (expected %.0f to %.0f)", k->name, text,
+                        reason, k->min, k->max);
+    *to = (int)value;
+    return SW_OK;
+}
+
+/* All keys of one section (with its label) into base. */
+static enum status take_section(const struct reading *r, const char *section, void *base)
+{
+    enum status s = SW_OK;
+
+    for (int i = 0; i < N_KEYS && s == SW_OK; i++) {
+        const struct key *k = &keys[i];
+        const struct ini_entry *e;
+        const char *text;
+        char *to = (char *)base + k->at;
+
+        if (!is_section(section, k->section))
+            continue;
+        e = ini_find(r->ini, section, k->name);
+        text = e ? e->value : k->fallback;
+        if (k->kind == WHOLE)
+            s = take_whole(r, e, k, text, (int *)(void *)to);
+        else if (k->kind == NUMBERS && text)
+            s = take_numbers(r, e, k, text, (double *)(void *)to);
+        else if (k->kind == NUMBERS)
+            for (int j = 0; j < k->most; j++)
+                ((double *)(void *)to)[j] = NAN;
+        else if (k->kind == WORD)
+            s = take_word(r, e, k, text, (int *)(void *)to);
+        else if (snprintf(to, 64, "%s", text) >= 64)
+            s = ini_fail(r->why, r->ini, e, "%s: longer than 63 bytes", k->name);
+    }
+    return s;
+}
+
+/* Unknown sections, keys and labels where none belong. */
+static enum status judge_names(const struct reading *r)
+{
+    for (int i = 0; i < r->ini->n_sections; i++) {
+        const struct ini_entry *e = &r->ini->section[i];
+        int known = 0;
+
+        for (int j = 0; j < N_KEYS; j++)
+            known |= is_section(e->section, keys[j].section);
+        if (!known)
+            return ini_fail(r->why, r->ini, e, "unknown section [%s]", e->section);
+        if (e->section[bare(e->section)] != '\0' && !is_labelled(e->section))
+            return ini_fail(r->why, r->ini, e, "section [%s] takes no label", e->section);
+        if (strlen(e->section) >= LABEL_BYTES)
+            return ini_fail(r->why, r->ini, e, "the label is longer than %d bytes", LABEL_BYTES);
+    }
+    for (int i = 0; i < r->ini->n; i++) {
+        const struct ini_entry *e = &r->ini->entry[i];
+        int known = 0;
+
+        for (int j = 0; j < N_KEYS; j++)
+            known |= is_section(e->section, keys[j].section) && strcmp(e->key, keys[j].name) == 0;
+        if (!known)
+            return ini_fail(r->why, r->ini, e, "unknown key '%s' in [%s]", e->key, e->section);
+    }
+    return SW_OK;
+}
+
+/* fail at an entry if it was given, else at the file: "file: [section] text". */
+static enum status judge(const struct reading *r, const char *section, const char *key,
+                         const char *text)
+{
+    const struct ini_entry *e = ini_find(r->ini, section, key);
+
+    if (e)
+        return ini_fail(r->why, r->ini, e, "%s: %s", key, text);
+    return fail(r->why, SW_FORMAT, "%.400s: [%s] %s: %s", r->ini->name, section, key, text);
+}
+
+static enum status resolve_cable(const struct reading *r, struct cable_case *c)
+{
+    static const char *const one = "give either axial_stiffness or youngs_modulus and area";
+    const char *reason;
+
+    if (isnan(c->cable.L0))
+        return judge(r, "cable", "unstressed_length", "is missing");
+    if (isnan(c->cable.mu))
+        return judge(r, "cable", "mass_per_length", "is missing");
+    if (isnan(c->cable.span))
+        return judge(r, "supports", "span", "is missing");
+    if (isnan(c->youngs_modulus) != isnan(c->area) ||
+        isnan(c->youngs_modulus) != !isnan(c->cable.EA))
+        return judge(r, "cable", "axial_stiffness", one);
+    if (isnan(c->cable.EA))
+        c->cable.EA = c->youngs_modulus * c->area;
+    reason = line_inadmissible(&c->cable);
+    if (reason)
+        return fail(r->why, SW_ADMISSIBLE, "%.400s: %s", r->ini->name, reason);
+    return SW_OK;
+}
+
+/* Two-point fit: zeta_i = alpha/(2 omega_i) + beta omega_i/2. */
+static enum status resolve_damping(const struct reading *r, struct cable_case *c)
+{
+    double *z = c->zeta, *w = c->zeta_omega;
+    double square;
+
+    if (isnan(z[0]) != isnan(w[0]))
+        return judge(r, "damping", isnan(z[0]) ? "zeta" : "omega", "is missing");
+    if (!isnan(z[0])) {
+        if (!isnan(c->alpha) || !isnan(c->beta))
+            return judge(r, "damping", "zeta", "give either alpha and beta or zeta and omega");
+        square = (w[1] - w[0]) * (w[1] + w[0]);
+        if (square == 0)
+            return judge(r, "damping", "omega", "the two must differ");
+        c->alpha = 2 * w[0] * w[1] * (z[0] * w[1] - z[1] * w[0]) / square;
+        c->beta = 2 * (z[1] * w[1] - z[0] * w[0]) / square;
+        if (!(c->alpha >= 0 && c->beta >= 0))
+            return judge(r, "damping", "zeta",
+                         "these ratios need a negative alpha or beta, which would feed energy");
+        z[0] = z[1] = w[0] = w[1] = NAN;
+    }
+    if (isnan(c->alpha))
+        c->alpha = 0;
+    if (isnan(c->beta))
+        c->beta = 0;
+    return SW_OK;
+}
+
+static enum status resolve_motion(const struct reading *r, const char *section, struct motion *m)
+{
+    if (isnan(m->amplitude[0]))
+        return judge(r, section, "amplitude", "is missing");
+    if (isnan(m->omega))
+        return judge(r, section, "omega", "is missing");
+    if (!isnan(m->phase[1]) && isnan(m->phase[2]))
+        return judge(r, section, "phase", "give one number or three");
+    if (isnan(m->phase[1]))
+        m->phase[1] = m->phase[2] = m->phase[0];
+    return SW_OK;
+}
+
+static enum status resolve_disturbance(const struct reading *r, const char *section,
+                                       const struct cable_case *c, const struct disturbance *d)
+{
+    if ((d->mode < 0) == (d->node < 0))
+        return judge(r, section, "mode", "give either mode or node");
+    if (isnan(d->amplitude[0]))
+        return judge(r, section, "amplitude", "is missing");
+    if (d->mode > 0 && !isnan(d->amplitude[1]))
+        return judge(r, section, "amplitude", "a mode takes one number");
+    if (d->node > 0 && isnan(d->amplitude[2]))
+        return judge(r, section, "amplitude", "a node takes three numbers");
+    if (d->mode > 6 * c->elements)
+        return judge(r, section, "mode", "the mesh has fewer modes (six an element)");
+    if (d->node >= c->elements)
+        return judge(r, section, "node", "must lie between the supports, 1 to elements - 1");
+    return SW_OK;
+}
+
+/* Default of output_every: 1/50 of the shortest excitation period, without a motion 1/50 of the
+ * first lateral period. */
+static double output_interval(const struct cable_case *c)
+{
+    double omega = 0;
+    struct line line;
+
+    for (int i = 0; i < c->n_motions; i++)
+        omega = fmax(omega, c->motion[i].omega);
+    if (omega == 0 && line_solve(&c->cable, &line) == SW_OK)
+        omega = PI / c->cable.span * sqrt(line.H * c->cable.span / (c->cable.mu * c->cable.L0));
+    return 2 * PI / omega / 50;
+}
+
+static enum status resolve_time(const struct reading *r, struct cable_case *c)
+{
+    struct time_plan *t = &c->time;
+    char mode[64], amplitude[64], extra;
+    int n = sscanf(t->start_text, "mode %63s %63s %c", mode, amplitude, &extra);
+    long k = 0;
+
+    while (t->n_probes < MAX_PROBES && !isnan(t->probe[t->n_probes]))
+        t->n_probes++;
+    if (!isnan(t->end) && !(t->end > 0))
+        return judge(r, "time", "end", "must be positive");
+    if (strcmp(t->start_text, "static") == 0)
+        t->start = START_STATIC;
+    else if (strcmp(t->start_text, "rest") == 0)
+        t->start = START_REST;
+    else if (n == 2 && !integer_read(mode, 1, 6L * c->elements, &k) &&
+             !number_read(amplitude, &t->start_amplitude))
+        t->start = START_MODE;
+    else
+        return judge(r, "time", "start",
+                     "expected static, rest, or mode K AMPLITUDE with a mode that the mesh has");
+    t->start_mode = (int)k;
+    for (int i = 0; i < c->n_motions && t->start == START_REST; i++)
+        if (!(c->motion[i].ramp > 0))
+            return judge(r, "time", "start", "rest needs a ramp in each [motion]");
+    if (isnan(t->output_every))
+        t->output_every = output_interval(c);
+    return SW_OK;
+}
+
+/* The sections called name, with or without label, in order: items of size bytes into base. */
+static enum status take_labelled(const struct reading *r, const char *name, void *base, size_t size,
+                                 char label[][LABEL_BYTES], int *ret_n)
+{
+    int n = 0;
+
+    for (int i = 0; i < r->ini->n_sections; i++) {
+        const struct ini_entry *e = &r->ini->section[i];
+        int known = 0;
+        enum status s;
+
+        for (int j = 0; j < n; j++)
+            known |= strcmp(label[j], e->section) == 0;
+        if (known || !is_section(e->section, name))
+            continue;
+        if (n == MAX_LABELLED)
+            return ini_fail(r->why, r->ini, e, "more than %d sections [%s]", MAX_LABELLED, name);
+        strcpy(label[n], e->section);
+        s = take_section(r, e->section, (char *)base + size * (size_t)n);
+        if (s != SW_OK)
+            return s;
+        n++;
+    }
+    *ret_n = n;
+    return SW_OK;
+}
+
+static enum status take_all(const struct reading *r, struct cable_case *c)
+{
+    enum status s = judge_names(r);
+
+    for (int i = 0; i < N_KEYS && s == SW_OK; i++)
+        if (!is_labelled(keys[i].section) &&
+            (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0))
+            s = take_section(r, keys[i].section, c);
+    if (s == SW_OK)
+        s = take_labelled(r, "motion", c->motion, sizeof *c->motion, c->motion_label,
+                          &c->n_motions);
+    if (s == SW_OK)
+        s = take_labelled(r, "disturbance", c->disturbance, sizeof *c->disturbance,
+                          c->disturbance_label, &c->n_disturbances);
+    if (s == SW_OK)
+        s = resolve_cable(r, c);
+    if (s == SW_OK)
+        s = resolve_damping(r, c);
+    for (int i = 0; i < c->n_motions && s == SW_OK; i++)
+        s = resolve_motion(r, c->motion_label[i], &c->motion[i]);
+    for (int i = 0; i < c->n_disturbances && s == SW_OK; i++)
+        s = resolve_disturbance(r, c->disturbance_label[i], c, &c->disturbance[i]);
+    return s == SW_OK ? resolve_time(r, c) : s;
+}
+
+enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
+                      struct cable_case *ret, struct why *why)
+{
+    struct ini ini;
+    struct reading r = {&ini, why};
+    enum status s = ini_read(f, name, &ini, why);
+
+    memset(ret, 0, sizeof *ret);
+    for (int i = 0; sets && i < sets->n && s == SW_OK; i++)
+        s = ini_set(&ini, sets->item[i], why);
+    if (s == SW_OK && ini.n == 0)
+        s = fail(why, SW_FORMAT, "%s: is empty; a case with at least [cable] and [supports] is "
+                                 "expected", name);
+    if (s == SW_OK)
+        s = take_all(&r, ret);
+    ini_free(&ini);
+    return s;
+}
+
+enum status case_load(const char *path, const struct opt_list *sets, struct cable_case *ret,
+                      struct why *why)
+{
+    struct in in;
+    enum status s = in_open(path, &in, why);
+
+    if (s != SW_OK)
+        return s;
+    s = case_read(in.f, in.name, sets, ret, why);
+    in_close(&in);
+    return s;
+}
+
+static void print_word(const char *words, int index, struct out *o)
+{
+    while (index-- > 0)
+        words += strcspn(words, " ") + 1;
+    fprintf(o->f, " %.*s", (int)strcspn(words, " "), words);
+}
+
+static void print_key(const struct key *k, const char *base, struct out *o)
+{
+    const char *at = base + k->at;
+    const double *x = (const double *)(const void *)at;
+
+    if ((k->kind == NUMBERS && isnan(x[0])) || (k->kind == WHOLE && *(const int *)(const void *)at < 0))
+        return;
+    fprintf(o->f, "%s =", k->name);
+    if (k->kind == WORD)
+        print_word(k->words, *(const int *)(const void *)at, o);
+    else if (k->kind == WHOLE)
+        fprintf(o->f, " %d", *(const int *)(const void *)at);
+    else if (k->kind == TEXT)
+        fprintf(o->f, " %s", at);
+    else if (k->words && x[0] == 0)
+        fprintf(o->f, " %s", k->words);
+    else
+        for (int i = 0; i < k->most && !isnan(x[i]); i++) {
+            putc(' ', o->f);
+            out_number(o, x[i]);
+        }
+    putc('\n', o->f);
+}
+
+/* heading: the section with its label. */
+static void print_section(const char *heading, const void *base, struct out *o)
+{
+    fprintf(o->f, "[%s]\n", heading);
+    for (int i = 0; i < N_KEYS; i++)
+        if (is_section(heading, keys[i].section))
+            print_key(&keys[i], base, o);
+}
+
+void case_print(const struct cable_case *c, struct out *o)
+{
+    struct cable_case shown = *c;
+
+    if (!isnan(shown.youngs_modulus))
+        shown.cable.EA = NAN; /* one of the two ways is printed: the one that was given */
+    for (int i = 0; i < N_KEYS; i++) {
+        const char *section = keys[i].section;
+
+        if (i > 0 && strcmp(section, keys[i - 1].section) == 0)
+            continue;
+        if (strcmp(section, "motion") == 0)
+            for (int j = 0; j < c->n_motions; j++)
+                print_section(c->motion_label[j], &c->motion[j], o);
+        else if (strcmp(section, "disturbance") == 0)
+            for (int j = 0; j < c->n_disturbances; j++)
+                print_section(c->disturbance_label[j], &c->disturbance[j], o);
+        else
+            print_section(section, &shown, o);
+    }
+}
+
+const char *case_model_difference(const struct cable_case *a, const struct cable_case *b)
+{
+    const struct cable *p = &a->cable, *q = &b->cable;
+
+    if (p->L0 != q->L0)
+        return "cable.unstressed_length";
+    if (p->mu != q->mu)
+        return "cable.mass_per_length";
+    if (p->EA != q->EA)
+        return "cable.axial_stiffness";
+    if (p->span != q->span)
+        return "supports.span";
+    if (p->drop != q->drop)
+        return "supports.drop";
+    if (p->g != q->g)
+        return "gravity.acceleration";
+    if (a->elements != b->elements)
+        return "mesh.elements";
+    return a->law != b->law ? "mesh.law" : NULL;
+}

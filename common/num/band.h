@@ -1,0 +1,67 @@
+/*
+ * Symmetric band matrices: products, Cholesky factor, solution.
+ *
+ * Storage is LAPACK's lower band form, column by column: A(i,j), i = j..j+kd, stands at
+ * a[(i - j) + (kd + 1) * j]; the kd (kd + 1)/2 places below the last row are kept at zero.  A band
+ * is owned by the struct; band_free takes a zeroed struct, too.  Indices count from 0.
+ */
+#ifndef SEILWERK_NUM_BAND_H
+#define SEILWERK_NUM_BAND_H
+
+#include "num/status.h"
+
+#include <stddef.h>
+
+struct band {
+    int n;     /* order */
+    int kd;    /* half bandwidth: number of diagonals below the main one */
+    double *a; /* (kd + 1) x n, column-major */
+};
+
+/* Cholesky factor A = L L^T of a band, with the reciprocals of L's diagonal in its place. */
+struct band_factor {
+    struct band l;
+};
+
+/* Place of A(i,j), i >= j >= i - kd. */
+static inline double *band_at(const struct band *A, int i, int j)
+{
+    return A->a + (size_t)(A->kd + 1) * (size_t)j + (i - j);
+}
+
+/* A(i,j) for any i, j; 0 outside of the band. */
+double band_get(const struct band *A, int i, int j);
+
+/* A zero matrix of order n >= 0 and half bandwidth kd >= 0.  SW_NOMEM. */
+enum status band_new(int n, int kd, struct band *ret);
+
+void band_free(struct band *A);
+
+/* A += the dense symmetric (m, m) block E (column-major, full), rows and columns from..from+m-1;
+ * m <= kd + 1. */
+void band_add_block(struct band *A, int from, int m, const double *E);
+
+/* y += c A x; x and y have n entries and do not overlap. */
+void band_multiply_add(const struct band *A, double c, const double *x, double *y);
+
+/* C = a A + b B, all of one order; B's half bandwidth not above A's.  SW_NOMEM. */
+enum status band_combine(double a, const struct band *A, double b, const struct band *B,
+                         struct band *ret);
+
+/* The rows and columns keep[0] < keep[1] < ... of A; half bandwidth as A.  SW_NOMEM. */
+enum status band_restrict(const struct band *A, const int *keep, int n_keep, struct band *ret);
+
+/* Factor of A (LAPACK dpbtrf).  SW_NOMEM; SW_INDEFINITE if A is not positive definite, or holds a
+ * NaN. */
+enum status band_cholesky(const struct band *A, struct band_factor *ret);
+
+void band_factor_free(struct band_factor *F);
+
+/* x := A^{-1} x, n entries. */
+void band_solve(const struct band_factor *F, double *x);
+
+/* B := L^{-1} B and B := L^{-T} B for the m columns of the (n, m) column-major matrix B. */
+void band_lower_solve(const struct band_factor *F, int m, double *B);
+void band_upper_solve(const struct band_factor *F, int m, double *B);
+
+#endif

@@ -1,0 +1,80 @@
+/*
+ * Explicit time integration by central differences (Thalheim 4.3; theory section 3, c4).
+ *
+ *     A (V(t+dt) - 2 V(t) + V(t-dt)) = -F_int(V(t)) - C (V(t) - V(t-dt))/dt
+ *     A = M/dt^2 + C/(2 dt),  C = alpha M + beta K
+ *
+ * for the free unknowns, prescribed ones inserted on the left.  The state is V and the increment
+ * D = V(t) - V(t-dt).  A is factored once; the cable's plane and the lateral direction are solved
+ * apart.  Vectors have 6 (n + 1) entries (phys/model.h).  No allocation after march_new.
+ */
+#ifndef SEILWERK_PHYS_MARCH_H
+#define SEILWERK_PHYS_MARCH_H
+
+#include "phys/model.h"
+#include "phys/motion.h"
+
+struct march_options {
+    double alpha, beta;          /* Rayleigh damping [1/s], [s] */
+    double dt;                   /* time step [s], > 0 */
+    int terms;                   /* 0..3: nonlinear parts F1, F2, F3 taken in */
+    const struct motion *motion; /* of the supports; not owned */
+    int n_motions;
+};
+
+/* Matrices and work space of one part (plane or lateral). */
+struct march_part {
+    enum part part;
+    struct band M, C, A;       /* over all nodes */
+    struct band_factor factor; /* of A with prescribed rows and columns replaced by unit ones */
+    int held[4], n_held;       /* prescribed unknowns, numbers within the part */
+    double *x, *d;             /* right side and solution; increment */
+    double residual[4];        /* right side in the prescribed rows, before they are replaced */
+};
+
+struct march {
+    const struct model *model; /* not owned */
+    struct march_options options;
+    struct march_part part[2];
+    double omega_max;   /* of the unstretched cable [rad/s] */
+    long step;          /* steps taken; t = step dt */
+    double *V, *D, *F;  /* state, increment, internal forces */
+    double *dd;         /* V(t+dt) - 2 V(t) + V(t-dt), set by march_solve */
+    double slack_time;  /* first time at which EA gamma + T < 0 somewhere, negative: never */
+    double slack_theta; /* and the place */
+    double stiffened;   /* last largest 3 EA gamma/(EA a^2 + T) */
+};
+
+enum kick { KICK_DISPLACEMENT, KICK_VELOCITY };
+
+/* Longest stable step of the model as it hangs [s], 2/omega_max. */
+double march_critical_step(const struct model *m);
+
+/* Matrices factored, state zero.  SW_NOMEM; SW_INDEFINITE if A is not positive definite. */
+enum status march_new(const struct model *m, const struct march_options *o, struct march *ret);
+
+void march_free(struct march *m);
+
+/* Start at t = 0 from V0 at rest (supports with their own velocity).  The prescribed entries of V0
+ * are taken from the motions. */
+enum status march_start(struct march *m, const double *V0);
+
+/* Disturb by size times shape: displacement of both time levels [m], or a velocity [m/s].  The
+ * supports' entries of shape are passed over. */
+void march_kick(struct march *m, enum kick kind, double size, const double *shape);
+
+/* Solve for dd at the present time.  SW_DIVERGED where the step is longer than the stretched cable
+ * allows, or a number is no longer finite. */
+enum status march_solve(struct march *m);
+
+/* After march_solve: force of the left, then of the right support on the cable [N], static part
+ * included (three axes each). */
+void march_support_force(const struct march *m, double ret[6]);
+
+/* Step on to t + dt with the solved dd. */
+void march_advance(struct march *m);
+
+/* Present time [s]. */
+double march_time(const struct march *m);
+
+#endif

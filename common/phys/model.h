@@ -1,0 +1,89 @@
+/*
+ * The finite element model of one cable: uniform mesh, matrices, free unknowns, probes.
+ *
+ * Unknown 6 node + c, c = 0..5 for v1, v1,1, v2, v2,1, v3, v3,1; node 0 is the left support.  Only
+ * v1, v2, v3 of the two supports are prescribed, in this order left then right; the other 6 n are
+ * free.  Vectors over all nodes have 6 (n + 1) entries.  The plane of the static line (c = 0..3)
+ * and the lateral direction (c = 4, 5) decouple in all linear matrices.
+ */
+#ifndef SEILWERK_PHYS_MODEL_H
+#define SEILWERK_PHYS_MODEL_H
+
+#include "num/band.h"
+#include "phys/element.h"
+
+struct model {
+    struct line line;
+    enum law law;
+    int n;                        /* elements, >= 1 */
+    double h;                     /* unstressed length of each [m] */
+    double slope[GAUSS][4];
+    struct material *material;    /* GAUSS n, owned */
+};
+
+/* The unknowns of a node that a matrix takes in. */
+enum part { PART_ALL, PART_PLANE, PART_LATERAL };
+
+/* Solve the static line of c and lay n elements on it.  SW_ADMISSIBLE, SW_NOCONV, SW_NOMEM. */
+enum status model_new(const struct cable *c, enum law law, int n, struct model *ret);
+
+void model_free(struct model *m);
+
+/* Element k, 0 <= k < n. */
+struct element model_element(const struct model *m, int k);
+
+/* Number of unknowns a node and the first of them, for a part. */
+int part_width(enum part part);
+int part_first(enum part part);
+
+/* Mass and stiffness over all nodes, prescribed unknowns included, order part_width (n + 1), half
+ * bandwidth 2 part_width - 1; tangent at V (all nodes, PART_ALL) or, with V NULL, linear K.
+ * SW_NOMEM. */
+enum status model_mass(const struct model *m, enum part part, struct band *ret);
+enum status model_stiffness(const struct model *m, enum part part, struct band *ret);
+enum status model_tangent(const struct model *m, int terms, const double *V, struct band *ret);
+
+/* free[] = numbers of the part's free unknowns among its all-node numbers, ascending;
+ * part_width n of them. */
+void model_free_unknowns(const struct model *m, enum part part, int *ret);
+
+/* The 6 all-node numbers of the prescribed unknowns. */
+void model_prescribed(const struct model *m, int ret[6]);
+
+/* A matrix over all nodes, cut by free and prescribed unknowns. */
+struct partition {
+    struct band free;    /* order 6 n */
+    double *support;     /* (6 n, 6): free rows, prescribed columns; owned */
+    double reaction[36]; /* (6, 6) */
+};
+
+/* Partition of all (PART_ALL).  SW_NOMEM. */
+enum status model_partition(const struct model *m, const struct band *all, struct partition *ret);
+
+void partition_free(struct partition *p);
+
+/* F = internal forces at V over all nodes; watch as in element_force, started here, with
+ * least_point counted over all Gauss points of the cable; may be NULL. */
+void model_force(const struct model *m, int terms, const double *V, double *F,
+                 struct strain_watch *watch);
+
+/* theta of Gauss point number point, counted over the whole cable. */
+double model_gauss_theta(const struct model *m, int point);
+
+/* Displacement v at theta = fraction L0 and, if asked for, the physical tension there [N]. */
+void model_probe(const struct model *m, double fraction, const double *V, double v[3],
+                 double *tension);
+
+/* Largest circular frequency of the model [rad/s], sqrt(42 max c^2)/h with
+ * c^2 = (EA a^2 + T)/mu: exact for a straight uniform cable, else slightly high (theory c4). */
+double model_omega_max(const struct model *m);
+
+/*
+ * V = static equilibrium for the prescribed displacements b of the supports (terms as in
+ * element_force).  Newton steps from the exact static line between the moved supports; the
+ * residual falls below 1e-10 of the largest static end force.  SW_ADMISSIBLE: no such line;
+ * SW_INDEFINITE, SW_NOCONV, SW_NOMEM.
+ */
+enum status model_equilibrium(const struct model *m, int terms, const double b[6], double *V);
+
+#endif

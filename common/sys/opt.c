@@ -1,0 +1,147 @@
+/* Options from a table, on getopt_long. */
+#include "sys/opt.h"
+#include "num/mem.h"
+#include "sys/number.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MAX_OPTIONS 48
+#define CODE_HELP 1000
+#define CODE_VERSION 1001
+#define CODE_FIRST 1100 /* + index, for options without a letter */
+
+static int is_end(const struct opt *o)
+{
+    return !o->name && !o->letter;
+}
+
+static int code_of(const struct opt_tool *tool, const struct opt *o)
+{
+    return o->letter ? o->letter : CODE_FIRST + (int)(o - tool->options);
+}
+
+static void print_option(char letter, const char *name, const char *arg, const char *help)
+{
+    char left[80];
+
+    snprintf(left, sizeof left, "%c%c%s%s%s%s%s", letter ? '-' : ' ', letter ? letter : ' ',
+             letter && name ? ", " : "  ", name ? "--" : "", name ? name : "", arg ? " " : "",
+             arg ? arg : "");
+    if (strlen(left) > 26)
+        printf("  %s\n  %-26s  %s\n", left, "", help);
+    else
+        printf("  %-26s  %s\n", left, help);
+}
+
+static void print_help(const struct opt_tool *tool)
+{
+    printf("usage: %s [options] %s\n%s\n\n", tool->name, tool->usage, tool->purpose);
+    for (const struct opt *o = tool->options; !is_end(o); o++)
+        print_option(o->letter, o->name, o->arg, o->help);
+    print_option('h', "help", NULL, "print this and stop");
+    print_option(0, "version", NULL, "print the version and stop");
+    printf("\nThe manual page %s(1) has examples; seilwerk(7) is the tour.\n", tool->name);
+}
+
+/* Results on stdout end in an exit status of their own. */
+__attribute__((noreturn)) static void end_printing(void)
+{
+    if (fflush(stdout) != 0 || ferror(stdout))
+        die(SW_WRITE, "<stdout>: cannot be written");
+    exit(0);
+}
+
+void opt_usage(const struct opt_tool *tool)
+{
+    die(SW_USAGE, "usage: %s [options] %s (%s --help tells more)", tool->name, tool->usage,
+        tool->name);
+}
+
+static void take(const struct opt *o, const char *shown, char *value)
+{
+    const char *reason = NULL;
+    struct opt_list *list = o->to;
+    const char **grown;
+
+    switch (o->kind) {
+    case OPT_FLAG: *(int *)o->to = 1; break;
+    case OPT_TEXT: *(const char **)o->to = value; break;
+    case OPT_INTEGER: reason = integer_read(value, o->min, o->max, o->to); break;
+    case OPT_LIST:
+        grown = mem_resize(list->item, (size_t)list->n + 1, sizeof *grown);
+        if (!grown)
+            die(SW_NOMEM, "%s", status_text(SW_NOMEM));
+        list->item = grown;
+        list->item[list->n++] = value;
+    }
+    if (reason)
+        die(SW_USAGE, "option %s: '%s': %s (expected %ld to %ld)", shown, value, reason, o->min,
+            o->max);
+}
+
+/* getopt's tables from ours. */
+static void tables(const struct opt_tool *tool, char *letters, struct option *names)
+{
+    *letters++ = ':';
+    *letters++ = 'h';
+    *names++ = (struct option){"help", no_argument, NULL, CODE_HELP};
+    *names++ = (struct option){"version", no_argument, NULL, CODE_VERSION};
+    for (const struct opt *o = tool->options; !is_end(o); o++) {
+        if (o->letter) {
+            *letters++ = o->letter;
+            if (o->arg)
+                *letters++ = ':';
+        }
+        if (o->name)
+            *names++ = (struct option){o->name, o->arg ? required_argument : no_argument, NULL,
+                                       code_of(tool, o)};
+    }
+    *letters = '\0';
+    *names = (struct option){0};
+}
+
+int opt_parse(const struct opt_tool *tool, int argc, char **argv)
+{
+    struct option names[MAX_OPTIONS + 3];
+    char letters[2 * MAX_OPTIONS + 3];
+    int code;
+
+    tables(tool, letters, names);
+    opterr = 0;
+    while ((code = getopt_long(argc, argv, letters, names, NULL)) != -1) {
+        const char *shown = argv[optind - 1];
+
+        if (code == 'h' || code == CODE_HELP) {
+            print_help(tool);
+            end_printing();
+        }
+        if (code == CODE_VERSION) {
+            printf("%s (Seilwerk) %s\n", tool->name, SEILWERK_VERSION);
+            end_printing();
+        }
+        if (code == ':')
+            die(SW_USAGE, "option %s: an argument is missing", shown);
+        if (code == '?') {
+            char letter[] = {'-', (char)optopt, '\0'};
+
+            die(SW_USAGE, "option %s is not known, not unique or takes no argument (%s --help)",
+                optopt > 0 && optopt < CODE_HELP ? letter : shown, tool->name);
+        }
+        for (const struct opt *o = tool->options; !is_end(o); o++)
+            if (code == code_of(tool, o)) {
+                char letter[] = {'-', o->letter, '\0'};
+
+                take(o, o->name ? o->name : letter, optarg);
+            }
+    }
+    return optind;
+}
+
+void opt_list_free(struct opt_list *l)
+{
+    free(l->item);
+    *l = (struct opt_list){0};
+}

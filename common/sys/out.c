@@ -1,0 +1,231 @@
+/* Output files, signals, progress. */
+#include "sys/out.h"
+#include "sys/in.h"
+#include "sys/number.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define MAX_OPEN 16
+
+/* Unfinished files, for the signal handler: a slot is in use while its first byte is not NUL. */
+static char unfinished[MAX_OPEN][PATH_MAX];
+static volatile sig_atomic_t pending, deferred;
+
+static void remove_unfinished(void)
+{
+    for (int i = 0; i < MAX_OPEN; i++)
+        if (unfinished[i][0] != '\0') {
+            unlink(unfinished[i]);
+            unfinished[i][0] = '\0';
+        }
+}
+
+static void on_signal(int sig)
+{
+    if (deferred && !pending && (sig == SIGINT || sig == SIGTERM)) {
+        pending = sig;
+        return;
+    }
+    remove_unfinished();
+    signal(sig, SIG_DFL);
+    raise(sig);
+}
+
+void out_prepare(void)
+{
+    static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
+    for (int fd = 0; fd <= 2; fd++) /* so that no file of ours gets their numbers */
+        if (fcntl(fd, F_GETFD) == -1 && open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY) != fd)
+            exit(1);
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
+        struct sigaction act = {.sa_handler = on_signal};
+        struct sigaction old;
+
+        sigemptyset(&act.sa_mask);
+        sigaction(ending[i], NULL, &old);
+        if (old.sa_handler != SIG_IGN || ending[i] == SIGPIPE)
+            sigaction(ending[i], &act, NULL);
+    }
+    signal(SIGXFSZ, SIG_IGN); /* write then fails with EFBIG */
+    atexit(remove_unfinished);
+}
+
+void signals_defer(void)
+{
+    deferred = 1;
+}
+
+int signals_pending(void)
+{
+    return pending;
+}
+
+void signals_end(void)
+{
+    remove_unfinished();
+    signal(pending, SIG_DFL);
+    raise(pending);
+    _exit(128 + pending);
+}
+
+/* Open o->path's FILE.part and note it as unfinished. */
+static enum status open_part(struct out *o, struct why *why)
+{
+    char part[PATH_MAX];
+    struct stat st;
+    int fd;
+
+    if (snprintf(part, sizeof part, "%s.part", o->path) >= (int)sizeof part)
+        return fail(why, SW_WRITE, "%s: the path is too long", o->name);
+    if (stat(part, &st) == 0 && in_was_read(&st))
+        return fail(why, SW_USAGE, "%s: is an input of this run", part);
+    for (o->slot = 0; o->slot < MAX_OPEN && unfinished[o->slot][0] != '\0'; o->slot++)
+        ;
+    if (o->slot == MAX_OPEN) {
+        o->slot = -1;
+        return fail(why, SW_WRITE, "%s: too many files are open", o->name);
+    }
+    fd = open(part, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (fd >= 0) {
+        strcpy(unfinished[o->slot], part);
+        o->f = fdopen(fd, "wb");
+        if (!o->f)
+            close(fd);
+    }
+    if (!o->f)
+        return fail(why, SW_WRITE, "%s: cannot be written: %s", part, strerror(errno));
+    return SW_OK;
+}
+
+/* Final path of name: its links followed, as far as it exists. */
+static enum status resolve(struct out *o, const char *name, struct why *why)
+{
+    struct stat st;
+
+    if (lstat(name, &st) == 0 && S_ISLNK(st.st_mode)) {
+        if (realpath(name, o->path))
+            return SW_OK;
+        return fail(why, SW_WRITE, "%s: the link leads nowhere: %s", name, strerror(errno));
+    }
+    if (snprintf(o->path, sizeof o->path, "%s", name) >= (int)sizeof o->path)
+        return fail(why, SW_WRITE, "%s: the path is too long", name);
+    return SW_OK;
+}
+
+enum status out_open(struct out *o, const char *path, struct why *why)
+{
+    struct stat st;
+    enum status s = SW_OK;
+
+    *o = (struct out){.slot = -1};
+    if (!path || strcmp(path, "-") == 0) {
+        o->name = "<stdout>";
+        o->f = stdout;
+        if (fstat(STDOUT_FILENO, &st) == 0 && S_ISREG(st.st_mode) && in_was_read(&st))
+            return fail(why, SW_USAGE, "standard output is an input of this run");
+        return SW_OK;
+    }
+    o->name = path;
+    if (stat(path, &st) == 0) {
+        if (S_ISDIR(st.st_mode))
+            return fail(why, SW_WRITE, "%s: is a directory; a file is expected", path);
+        if (in_was_read(&st))
+            return fail(why, SW_USAGE, "%s: is an input of this run", path);
+        if (!S_ISREG(st.st_mode)) {
+            o->f = fopen(path, "wb");
+            if (!o->f)
+                return fail(why, SW_WRITE, "%s: cannot be written: %s", path, strerror(errno));
+            return SW_OK;
+        }
+    }
+    s = resolve(o, path, why);
+    return s == SW_OK ? open_part(o, why) : s;
+}
+
+void out_number(struct out *o, double x)
+{
+    char text[NUMBER_SIZE];
+
+    fwrite(text, 1, number_print(x, text), o->f);
+}
+
+void out_row(struct out *o, const double *x, int n)
+{
+    for (int i = 0; i < n; i++) {
+        out_number(o, x[i]);
+        putc(i < n - 1 ? ',' : '\n', o->f);
+    }
+}
+
+int out_failed(const struct out *o)
+{
+    return ferror(o->f);
+}
+
+enum status out_finish(struct out *o, struct why *why)
+{
+    int bad = ferror(o->f), error = 0;
+
+    if (fflush(o->f) != 0 || bad)
+        error = errno ? errno : EIO;
+    if (error == 0 && o->slot >= 0 && fsync(fileno(o->f)) != 0)
+        error = errno;
+    if (fclose(o->f) != 0 && error == 0)
+        error = errno;
+    o->f = NULL;
+    if (error == 0)
+        return SW_OK;
+    if (o->slot >= 0) {
+        unlink(unfinished[o->slot]);
+        unfinished[o->slot][0] = '\0';
+        o->slot = -1;
+    }
+    return fail(why, SW_WRITE, "%s: cannot be written: %s", o->name, strerror(error));
+}
+
+enum status out_rename(struct out *o, struct why *why)
+{
+    if (o->slot < 0)
+        return SW_OK;
+    if (rename(unfinished[o->slot], o->path) != 0)
+        return fail(why, SW_WRITE, "%s: cannot be renamed to: %s", o->path, strerror(errno));
+    unfinished[o->slot][0] = '\0';
+    o->slot = -1;
+    return SW_OK;
+}
+
+enum status out_close(struct out *o, struct why *why)
+{
+    enum status s = out_finish(o, why);
+
+    return s == SW_OK ? out_rename(o, why) : s;
+}
+
+void progress(double done, const char *what)
+{
+    static double last;
+    struct timespec t;
+    double now;
+
+    if (!err_verbose() && !isatty(STDERR_FILENO))
+        return;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    now = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    if (now - last < (isatty(STDERR_FILENO) ? 0.1 : 2))
+        return;
+    last = now;
+    fprintf(stderr, isatty(STDERR_FILENO) ? "\r%s %3.0f %%" : "%s %3.0f %%\n", what, 100 * done);
+}
+
+void progress_end(void)
+{
+    if (isatty(STDERR_FILENO))
+        fputs("\r\033[K", stderr);
+}
