@@ -6,7 +6,7 @@ PROGRAM_PREFIX =
 BUILD = build
 
 # The user's: they come last and win.
-CFLAGS = -O2 -g
+CFLAGS = -O3 -g
 CPPFLAGS =
 LDFLAGS =
 
@@ -30,6 +30,10 @@ FUZZ = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz_%,$(wildcard tests/fuzz/*_f
 HELPERS = $(BUILD)/tests/compare $(BUILD)/tests/faults.so
 MAN = $(wildcard man/*.[1-9])
 
+# Packages come before anything is compiled, if the goal is one that installs them.
+FIRST = $(if $(filter check check-deep,$(MAKECMDGOALS)),deps-check) \
+  $(if $(filter demo,$(MAKECMDGOALS)),deps-demo) $(if $(filter bench,$(MAKECMDGOALS)),deps-build)
+
 all: $(TOOLS:%=$(BUILD)/bin/%)
 
 help:
@@ -40,7 +44,7 @@ help:
 	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean, dist'
 	@echo 'deps         install the Debian packages of all classes (deps-build, -check, -demo, -optional)'
 
-$(BUILD)/obj/%.o: %.c VERSION
+$(BUILD)/obj/%.o: %.c VERSION | $(FIRST)
 	@mkdir -p $(@D)
 	$(COMPILE) -MMD -MP -c -o $@ $<
 
@@ -64,7 +68,7 @@ $(BUILD)/tests/bench: $(BUILD)/obj/tests/bench.o $(LIB)
 	@mkdir -p $(@D)
 	$(LINK) -o $@ $< $(LIB) $(LIBS)
 
-$(BUILD)/tests/faults.so: tests/fault/faults.c
+$(BUILD)/tests/faults.so: tests/fault/faults.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(CC) $(OWN_CPPFLAGS) -std=c11 $(WARN) -O1 -fPIC -shared -o $@ $< -ldl
 
@@ -99,8 +103,7 @@ deps-demo:
 deps-optional:
 	@scripts/deps optional
 
-demo: deps-demo
-	@$(MAKE) --no-print-directory all
+demo: all
 	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 scripts/demo '$(BUILD)/demo'
 
 TEST_ENV = SEILWERK_BUILD='$(abspath $(BUILD))' PATH='$(abspath $(BUILD))/bin':$$PATH \
@@ -109,14 +112,13 @@ SUITES = $(UNIT) $(sort $(wildcard tests/cli/*.sh tests/cross/*.sh tests/fault/*
 
 test-programs: all $(UNIT) $(FUZZ) $(HELPERS)
 
-check: deps-check
-	@$(MAKE) --no-print-directory test-programs
+check: test-programs
 	@$(TEST_ENV) prove -j2 $(SUITES)
 
-# The same tests under the sanitizers, then what takes long.
+# The same tests under the sanitizers, then what takes long.  Other flags need another build tree:
+# the one place where make calls itself.
 SANITIZE = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
-check-deep: deps-check deps-optional
-	@$(MAKE) --no-print-directory check
+check-deep: deps-optional check
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/asan CFLAGS='$(SANITIZE)' HARDEN_CPP= test-programs
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/asan CFLAGS='$(SANITIZE)' HARDEN_CPP= check-sanitized
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/clang CC=clang test-programs
@@ -127,8 +129,7 @@ check-sanitized:
 	@$(TEST_ENV) SEILWERK_SANITIZED=1 ASAN_OPTIONS=detect_leaks=0 prove -j2 $(UNIT) \
 	  $(sort $(wildcard tests/cli/*.sh))
 
-bench: deps-build
-	@$(MAKE) --no-print-directory all $(BUILD)/tests/bench
+bench: all $(BUILD)/tests/bench
 	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 $(BUILD)/tests/bench
 
 install: all

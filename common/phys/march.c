@@ -258,18 +258,17 @@ static enum status forces(struct march *m)
 
 enum status march_solve(struct march *m)
 {
-    double now[6], next[6], dd[6];
+    double next[6], dd[6];
     enum status s = forces(m);
     int held[6];
 
     if (s != SW_OK)
         return s;
     model_prescribed(m->model, held);
-    motion_sum(m->options.motion, m->options.n_motions, march_time(m), now, NULL, NULL);
     motion_sum(m->options.motion, m->options.n_motions, (double)(m->step + 1) * m->options.dt, next,
                NULL, NULL);
-    for (int i = 0; i < 6; i++)
-        dd[i] = next[i] - now[i] - m->D[held[i]];
+    for (int i = 0; i < 6; i++) /* from V itself: round-off does not add up */
+        dd[i] = next[i] - m->V[held[i]] - m->D[held[i]];
     for (int i = 0; i < 2; i++) {
         right_side(m, &m->part[i]);
         solve_held(&m->part[i], &m->part[i].A, &m->part[i].factor, dd);

@@ -44,16 +44,6 @@ struct element model_element(const struct model *m, int k)
     return e;
 }
 
-int part_width(enum part part)
-{
-    return part == PART_ALL ? 6 : part == PART_PLANE ? 4 : 2;
-}
-
-int part_first(enum part part)
-{
-    return part == PART_LATERAL ? 4 : 0;
-}
-
 /* Unknown i of a part's element matrix (2 width of them) as one of the 12 of the element. */
 static int of_twelve(enum part part, int i)
 {

@@ -21,7 +21,8 @@ struct model {
     struct material *material;    /* GAUSS n, owned */
 };
 
-/* The unknowns of a node that a matrix takes in. */
+/* The unknowns of a node that a matrix takes in: all, those in the plane of the static line, or the
+ * lateral ones. */
 enum part { PART_ALL, PART_PLANE, PART_LATERAL };
 
 /* Solve the static line of c and lay n elements on it.  SW_ADMISSIBLE, SW_NOCONV, SW_NOMEM. */
@@ -33,8 +34,15 @@ void model_free(struct model *m);
 struct element model_element(const struct model *m, int k);
 
 /* Number of unknowns a node and the first of them, for a part. */
-int part_width(enum part part);
-int part_first(enum part part);
+static inline int part_width(enum part part)
+{
+    return part == PART_ALL ? 6 : part == PART_PLANE ? 4 : 2;
+}
+
+static inline int part_first(enum part part)
+{
+    return part == PART_LATERAL ? 4 : 0;
+}
 
 /* Mass and stiffness over all nodes, prescribed unknowns included, order part_width (n + 1), half
  * bandwidth 2 part_width - 1; tangent at V (all nodes, PART_ALL) or, with V NULL, linear K.

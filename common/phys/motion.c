@@ -23,16 +23,19 @@ static void add(const struct motion *m, double t, double *u, double *v, double *
 
     ramp_at(m->ramp, t, r);
     for (int i = 0; i < 3; i++) {
-        double arg = m->omega * t + m->phase[i];
-        double c0 = m->amplitude[i] * cos(arg);
-        double c1 = -m->amplitude[i] * m->omega * sin(arg);
-        double c2 = -m->omega * m->omega * c0;
+        double arg = m->omega * t + m->phase[i], c0, c1;
 
+        if (m->amplitude[i] == 0)
+            continue;
+        c0 = m->amplitude[i] * cos(arg);
         u[i] += r[0] * c0;
+        if (!v && !a)
+            continue;
+        c1 = -m->amplitude[i] * m->omega * sin(arg);
         if (v)
             v[i] += r[1] * c0 + r[0] * c1;
         if (a)
-            a[i] += r[2] * c0 + 2 * r[1] * c1 + r[0] * c2;
+            a[i] += r[2] * c0 + 2 * r[1] * c1 - r[0] * m->omega * m->omega * c0;
     }
 }
 
