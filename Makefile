@@ -44,7 +44,14 @@ help:
 	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean, dist'
 	@echo 'deps         install the Debian packages of all classes (deps-build, -check, -demo, -optional)'
 
-$(BUILD)/obj/%.o: %.c VERSION | $(FIRST)
+# Changed only when compiler or flags change: then everything is built again.
+FLAGS = $(COMPILE) $(HARDEN_LD) $(LDFLAGS)
+$(BUILD)/flags: always
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(subst ','\'',$(FLAGS))' | cmp -s - $@ || \
+	  printf '%s\n' '$(subst ','\'',$(FLAGS))' >$@
+
+$(BUILD)/obj/%.o: %.c VERSION $(BUILD)/flags | $(FIRST)
 	@mkdir -p $(@D)
 	$(COMPILE) -MMD -MP -c -o $@ $<
 
@@ -153,7 +160,7 @@ dist:
 	@mkdir -p $(BUILD)
 	git archive --prefix=seilwerk-$(VERSION)/ HEAD | gzip -n9 >$(BUILD)/seilwerk-$(VERSION).tar.gz
 
-.PHONY: all help deps deps-build deps-check deps-demo deps-optional demo test-programs check \
+.PHONY: always all help deps deps-build deps-check deps-demo deps-optional demo test-programs check \
   check-deep check-sanitized fuzz bench install uninstall clean dist
 .SECONDARY:
 .DELETE_ON_ERROR:

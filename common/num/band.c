@@ -5,16 +5,6 @@
 #include <lapacke.h>
 #include <stdlib.h>
 
-double band_get(const struct band *A, int i, int j)
-{
-    if (i < j) {
-        int swap = i;
-        i = j;
-        j = swap;
-    }
-    return i - j <= A->kd ? *band_at(A, i, j) : 0;
-}
-
 enum status band_new(int n, int kd, struct band *ret)
 {
     ret->n = n;
@@ -36,19 +26,33 @@ void band_add_block(struct band *A, int from, int m, const double *E)
             *band_at(A, from + i, from + j) += E[i + m * j];
 }
 
-void band_multiply_add(const struct band *A, double c, const double *x, double *y)
+/* The columns from..to-1, each with `below` entries under the diagonal (constant for most). */
+static inline void multiply_columns(const struct band *A, int from, int to, int below, double c,
+                                    const double *x, double *y)
 {
-    for (int j = 0; j < A->n; j++) {
+    for (int j = from; j < to; j++) {
         const double *a = band_at(A, j, j);
-        int below = A->n - 1 - j < A->kd ? A->n - 1 - j : A->kd;
-        double xj = c * x[j], sum = a[0] * xj;
+        double cx = c * x[j], sum = a[0] * x[j];
 
         for (int i = 1; i <= below; i++) {
-            sum += c * a[i] * x[j + i];
-            y[j + i] += a[i] * xj;
+            sum += a[i] * x[j + i];
+            y[j + i] += a[i] * cx;
         }
-        y[j] += sum;
+        y[j] += c * sum;
     }
+}
+
+void band_multiply_add(const struct band *A, double c, const double *x, double *y)
+{
+    int n = A->n, whole = n > A->kd ? n - A->kd : 0;
+
+    switch (A->kd) { /* the common ones, for the compiler to unroll */
+    case 3: multiply_columns(A, 0, whole, 3, c, x, y); break;
+    case 7: multiply_columns(A, 0, whole, 7, c, x, y); break;
+    default: multiply_columns(A, 0, whole, A->kd, c, x, y);
+    }
+    for (int j = whole; j < n; j++)
+        multiply_columns(A, j, j + 1, n - 1 - j, c, x, y);
 }
 
 enum status band_combine(double a, const struct band *A, double b, const struct band *B,
@@ -77,97 +81,105 @@ enum status band_restrict(const struct band *A, const int *keep, int n_keep, str
     return SW_OK;
 }
 
+/* Unit L and D from LAPACK's Cholesky factor C = L sqrt(D).  Returns 0 if a pivot is not positive. */
+static int take_factor(const struct band *C, struct band_factor *ret)
+{
+    int n = C->n, kd = C->kd;
+
+    for (int j = 0; j < n; j++) {
+        double pivot = *band_at(C, j, j);
+
+        if (!(pivot > 0))
+            return 0;
+        ret->inverse[j] = 1 / (pivot * pivot);
+        for (int i = 1; i <= kd && j + i < n; i++) {
+            double l = *band_at(C, j + i, j) / pivot;
+
+            ret->column[(size_t)kd * (size_t)(j + 1) - (size_t)i] = l;
+            ret->row[(size_t)kd * (size_t)(j + i + 1) - (size_t)i] = l;
+        }
+    }
+    return 1;
+}
+
 enum status band_cholesky(const struct band *A, struct band_factor *ret)
 {
-    int n = A->n, kd = A->kd, info;
+    size_t n = (size_t)A->n, kd = (size_t)A->kd;
+    struct band C = {A->n, A->kd, mem_copy(A->a, sizeof(double) * n * (kd + 1))};
+    enum status s = SW_NOMEM;
+    int info;
 
-    ret->l = *A;
-    ret->l.a = mem_copy(A->a, sizeof(double) * (size_t)n * (size_t)(kd + 1));
-    if (!ret->l.a)
-        return SW_NOMEM;
-    info = n > 0 ? LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', n, kd, ret->l.a, kd + 1) : 0;
-    for (int j = 0; j < n && info == 0; j++) {
-        double *diagonal = band_at(&ret->l, j, j);
-
-        if (!(*diagonal > 0))
-            info = j + 1;
-        *diagonal = 1 / *diagonal;
+    *ret = (struct band_factor){A->n, A->kd, mem_doubles(n * kd), mem_doubles(n * kd),
+                                mem_doubles(n)};
+    if (C.a && ret->row && ret->column && ret->inverse) {
+        info = n > 0 ? LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', C.n, C.kd, C.a, C.kd + 1) : 0;
+        s = info == 0 && take_factor(&C, ret) ? SW_OK : SW_INDEFINITE;
     }
-    if (info != 0)
+    band_free(&C);
+    if (s != SW_OK)
         band_factor_free(ret);
-    return info == 0 ? SW_OK : SW_INDEFINITE;
+    return s;
 }
 
 void band_factor_free(struct band_factor *F)
 {
-    band_free(&F->l);
+    free(F->row);
+    free(F->column);
+    free(F->inverse);
+    *F = (struct band_factor){0};
 }
 
-/* x := L^{-1} x by columns; the caller's constant kd lets the compiler unroll the inner loop. */
-static inline void lower(const struct band *L, int kd, double *x)
+/*
+ * Unknown j of the substitutions: x_j less its row (column) of L times the count unknowns before
+ * (after) it.  The nearest one (fresh) comes last and from a register: each unknown waits for it by
+ * one product and one difference only.
+ */
+static inline double forward(const double *l, int kd, int count, const double *x, int j,
+                             double fresh)
 {
-    int n = L->n, whole = n > kd ? n - kd : 0;
-    const double *l = L->a;
+    double sum = x[j];
 
-    for (int j = 0; j < n; j++, l += kd + 1) {
-        int below = j < whole ? kd : n - 1 - j;
-        double xj = x[j] *= l[0];
-
-        for (int i = 1; i <= below; i++)
-            x[j + i] -= l[i] * xj;
-    }
+    for (int i = kd - count; i < kd - 1; i++)
+        sum -= l[i] * x[j - kd + i];
+    return count > 0 ? sum - l[kd - 1] * fresh : sum;
 }
 
-/* x := L^{-T} x by scalar products, the freshest entry last: it alone is waited for. */
-static inline void upper(const struct band *L, int kd, double *x)
+static inline double backward(const double *l, int kd, int count, const double *x, int j,
+                              double fresh)
 {
-    int n = L->n;
+    double sum = x[j];
 
-    for (int j = n - 1; j >= 0; j--) {
-        const double *l = L->a + (size_t)(kd + 1) * (size_t)j;
-        int below = n - 1 - j < kd ? n - 1 - j : kd;
-        double sum = x[j];
-
-        for (int i = below; i >= 1; i--)
-            sum -= l[i] * x[j + i];
-        x[j] = sum * l[0];
-    }
+    for (int i = kd - count; i < kd - 1; i++)
+        sum -= l[i] * x[j + kd - i];
+    return count > 0 ? sum - l[kd - 1] * fresh : sum;
 }
 
-static void lower_any(const struct band *L, double *x)
+/* Both substitutions; the caller's constant kd lets the compiler unroll. */
+static inline void solve(const struct band_factor *F, int kd, double *x)
 {
-    switch (L->kd) {
-    case 3: lower(L, 3, x); break;
-    case 7: lower(L, 7, x); break;
-    case 11: lower(L, 11, x); break;
-    default: lower(L, L->kd, x);
-    }
-}
+    int n = F->n, ragged = n < kd ? n : kd; /* rows that the matrix' corner cuts short */
+    const double *l = F->row;
+    double fresh = 0;
 
-static void upper_any(const struct band *L, double *x)
-{
-    switch (L->kd) {
-    case 3: upper(L, 3, x); break;
-    case 7: upper(L, 7, x); break;
-    case 11: upper(L, 11, x); break;
-    default: upper(L, L->kd, x);
-    }
+    for (int j = 0; j < ragged; j++, l += kd)
+        x[j] = fresh = forward(l, kd, j, x, j, fresh);
+    for (int j = ragged; j < n; j++, l += kd)
+        x[j] = fresh = forward(l, kd, kd, x, j, fresh);
+    for (int j = 0; j < n; j++)
+        x[j] *= F->inverse[j];
+    l = F->column + (size_t)kd * (size_t)n;
+    for (int j = n - 1; j >= n - ragged; j--)
+        x[j] = fresh = backward(l -= kd, kd, n - 1 - j, x, j, fresh);
+    for (int j = n - 1 - ragged; j >= 0; j--)
+        x[j] = fresh = backward(l -= kd, kd, kd, x, j, fresh);
 }
 
 void band_solve(const struct band_factor *F, double *x)
 {
-    lower_any(&F->l, x);
-    upper_any(&F->l, x);
-}
-
-void band_lower_solve(const struct band_factor *F, int m, double *B)
-{
-    for (int k = 0; k < m; k++)
-        lower_any(&F->l, B + (size_t)F->l.n * (size_t)k);
-}
-
-void band_upper_solve(const struct band_factor *F, int m, double *B)
-{
-    for (int k = 0; k < m; k++)
-        upper_any(&F->l, B + (size_t)F->l.n * (size_t)k);
+    switch (F->kd) {
+    case 3: solve(F, 3, x); break;
+    case 7: solve(F, 7, x); break;
+    case 11: solve(F, 11, x); break;
+    default: solve(F, F->kd, x);
+    }
 }

@@ -18,9 +18,15 @@ struct band {
     double *a; /* (kd + 1) x n, column-major */
 };
 
-/* Cholesky factor A = L L^T of a band, with the reciprocals of L's diagonal in its place. */
+/*
+ * Factor A = L D L^T with unit lower L.  L is kept twice, by rows and by columns, so that both
+ * substitutions run along memory; entries beyond the matrix are zero.
+ */
 struct band_factor {
-    struct band l;
+    int n, kd;
+    double *row;    /* kd x n: L(j, j - kd), ..., L(j, j - 1) */
+    double *column; /* kd x n: L(j + kd, j), ..., L(j + 1, j) */
+    double *inverse; /* n: 1/D */
 };
 
 /* Place of A(i,j), i >= j >= i - kd. */
@@ -30,7 +36,12 @@ static inline double *band_at(const struct band *A, int i, int j)
 }
 
 /* A(i,j) for any i, j; 0 outside of the band. */
-double band_get(const struct band *A, int i, int j);
+static inline double band_get(const struct band *A, int i, int j)
+{
+    if (i < j)
+        return j - i <= A->kd ? *band_at(A, j, i) : 0;
+    return i - j <= A->kd ? *band_at(A, i, j) : 0;
+}
 
 /* A zero matrix of order n >= 0 and half bandwidth kd >= 0.  SW_NOMEM. */
 enum status band_new(int n, int kd, struct band *ret);
@@ -51,7 +62,7 @@ enum status band_combine(double a, const struct band *A, double b, const struct 
 /* The rows and columns keep[0] < keep[1] < ... of A; half bandwidth as A.  SW_NOMEM. */
 enum status band_restrict(const struct band *A, const int *keep, int n_keep, struct band *ret);
 
-/* Factor of A (LAPACK dpbtrf).  SW_NOMEM; SW_INDEFINITE if A is not positive definite, or holds a
+/* Factor of A (by LAPACK's dpbtrf).  SW_NOMEM; SW_INDEFINITE if A is not positive definite, or holds a
  * NaN. */
 enum status band_cholesky(const struct band *A, struct band_factor *ret);
 
@@ -59,9 +70,5 @@ void band_factor_free(struct band_factor *F);
 
 /* x := A^{-1} x, n entries. */
 void band_solve(const struct band_factor *F, double *x);
-
-/* B := L^{-1} B and B := L^{-T} B for the m columns of the (n, m) column-major matrix B. */
-void band_lower_solve(const struct band_factor *F, int m, double *B);
-void band_upper_solve(const struct band_factor *F, int m, double *B);
 
 #endif

@@ -48,7 +48,7 @@ static enum status newton_step(const struct model *m, int terms, const int *keep
 {
     int n_free = 6 * m->n;
     struct band K = {0}, K_free = {0};
-    struct band_factor factor = {{0}};
+    struct band_factor factor = {0};
     enum status s = model_tangent(m, terms, V, &K);
 
     if (s == SW_OK)

@@ -1,0 +1,224 @@
+/*
+ * Rates of the costly parts beside their targets, and dgemm and a triad of the same minute.
+ *
+ * Targets hold for one core with 35 GF/s of dgemm and are scaled by the dgemm measured here.  Each
+ * figure is the median of several runs; machines are noisy: compare ratios.
+ */
+#include "num/mem.h"
+#include "phys/march.h"
+#include "phys/modes.h"
+#include "sys/number.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+
+#define RUNS 5
+#define REFERENCE 35.0 /* GF/s of dgemm that the targets assume */
+
+static const struct cable pont = {110.1897, 64.8, 2.1e11 * 8.26e-3, 9.81, 110.5, 0};
+static const struct cable seil2 = {100.429, 0.704, 1.5556e11 * 8.48e-5, 9.81, 100.534, 0};
+
+static double now(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* Median of RUNS calls. */
+static double median(double (*measure)(int), int argument)
+{
+    double x[RUNS];
+
+    for (int i = 0; i < RUNS; i++)
+        x[i] = measure(argument);
+    qsort(x, RUNS, sizeof *x, ascending);
+    return x[RUNS / 2];
+}
+
+static void *checked(void *p)
+{
+    if (!p) {
+        fputs("bench: memory ran out\n", stderr);
+        exit(1);
+    }
+    return p;
+}
+
+static void expect(enum status s)
+{
+    if (s != SW_OK) {
+        fprintf(stderr, "bench: %s\n", status_text(s));
+        exit(1);
+    }
+}
+
+/* GF/s of an n x n product. */
+static double dgemm(int n)
+{
+    size_t size = (size_t)n * (size_t)n;
+    double *a = checked(mem_doubles(size)), *b = checked(mem_doubles(size));
+    double *c = checked(mem_doubles(size)), t;
+
+    for (size_t i = 0; i < size; i++)
+        a[i] = b[i] = (double)(i % 7);
+    t = now();
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, n, n, n, 1, a, n, b, n, 0, c, n);
+    t = now() - t;
+    free(a);
+    free(b);
+    free(c);
+    return 2e-9 * n * n * n / t;
+}
+
+/* GB/s of a = b + s c, n doubles, far beyond the caches. */
+static double triad(int n)
+{
+    double *a = checked(mem_doubles((size_t)n)), *b = checked(mem_doubles((size_t)n));
+    double *c = checked(mem_doubles((size_t)n)), t;
+
+    for (int i = 0; i < n; i++)
+        a[i] = b[i] = c[i] = i;
+    t = now();
+    for (int i = 0; i < n; i++)
+        a[i] = b[i] + 3 * c[i];
+    t = now() - t;
+    if (a[n - 1] != 4.0 * (n - 1))
+        t = NAN;
+    free(a);
+    free(b);
+    free(c);
+    return 24e-9 * n / t;
+}
+
+/* Element-steps a second of SEIL2, all terms, with beta > 0. */
+static double march_rate(int n)
+{
+    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0};
+    const double b[6] = {0, 0, 0, 0.05, 0, 0};
+    long steps = 4000000 / n;
+    struct march_options o = {0.1095, 3.5e-3, 0, 3, &deck, 1};
+    struct model m;
+    struct march a;
+    double *V = checked(mem_doubles(6 * ((size_t)n + 1))), t;
+
+    expect(model_new(&seil2, LAW_HOOKE, n, &m));
+    o.dt = 0.9 * march_critical_step(&m);
+    expect(march_new(&m, &o, &a));
+    expect(model_equilibrium(&m, 3, b, V));
+    expect(march_start(&a, V));
+    t = now();
+    for (long i = 0; i < steps; i++) {
+        expect(march_solve(&a));
+        march_advance(&a);
+    }
+    t = now() - t;
+    march_free(&a);
+    model_free(&m);
+    free(V);
+    return (double)steps * n / t;
+}
+
+/* Microseconds of one static line: cables from taut to slack. */
+static double line_time(int n)
+{
+    double t = now();
+
+    for (int i = 0; i < n; i++) {
+        double x = (double)i / n;
+        struct cable c = {96 + 40 * x * x, 2, 1e5 + 1e7 * (1 - x), 9.81, 100, 80 * x - 40};
+        struct line s;
+
+        if (c.L0 < 100)
+            c.EA = 1e6;
+        expect(line_solve(&c, &s));
+    }
+    return 1e6 * (now() - t) / n;
+}
+
+/* Milliseconds of all modes of PONT. */
+static double modes_time(int n)
+{
+    double t = now();
+    struct model m;
+    struct modes p;
+
+    expect(model_new(&pont, LAW_HOOKE, n, &m));
+    expect(modes_all(&m, 6 * n, &p));
+    modes_free(&p);
+    model_free(&m);
+    return 1e3 * (now() - t);
+}
+
+/* Nanoseconds of one printed number, random bits. */
+static double print_time(int n)
+{
+    uint64_t u = 88172645463325252ULL;
+    size_t length = 0;
+    double t = now();
+
+    for (int i = 0; i < n; i++) {
+        char text[NUMBER_SIZE];
+        double x;
+
+        u ^= u << 13;
+        u ^= u >> 7;
+        u ^= u << 17;
+        memcpy(&x, &u, sizeof x);
+        length += number_print(x, text);
+    }
+    t = now() - t;
+    return length > 0 ? 1e9 * t / n : NAN;
+}
+
+/* One line; target 0: none.  A rate shall be above its target, a time below. */
+static void report(const char *what, double x, const char *unit, double target, int is_rate)
+{
+    printf("%-44s %10.4g %-8s", what, x, unit);
+    if (target > 0)
+        printf(" target %10.4g  %s", target,
+               (is_rate ? x >= target : x <= target) ? "met" : "MISSED");
+    putchar('\n');
+}
+
+int main(void)
+{
+    static const int meshes[] = {10, 100, 1000, 10000}, sizes[] = {10, 100, 400};
+    static const double wanted_ms[] = {5, 100, 3000};
+    double speed, scale;
+    char what[64];
+    struct rusage usage;
+
+    print_time(1000);
+    speed = median(dgemm, 1000);
+    scale = speed / REFERENCE;
+    printf("targets are for %.0f GF/s of dgemm, scaled by %.2f\n", REFERENCE, scale);
+    report("dgemm, n = 1000", speed, "GF/s", 0, 1);
+    report("triad, 3 x 160 MB", median(triad, 20000000), "GB/s", 0, 1);
+    report("static line", median(line_time, 200000), "us", 1 / scale, 0);
+    report("number printed", median(print_time, 1000000), "ns", 150 / scale, 0);
+    for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
+        snprintf(what, sizeof what, "diffverf, all terms, beta > 0, n = %d", meshes[i]);
+        report(what, median(march_rate, meshes[i]), "el-st/s", 6e6 * scale, 1);
+    }
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        snprintf(what, sizeof what, "modal, all modes, n = %d", sizes[i]);
+        report(what, median(modes_time, sizes[i]), "ms", wanted_ms[i] / scale, 0);
+    }
+    getrusage(RUSAGE_SELF, &usage);
+    report("memory, largest so far", (double)usage.ru_maxrss / 1024, "MB", 0, 0);
+    return 0;
+}
