@@ -26,7 +26,7 @@ static void print_line(const struct line *s, int elements, struct out *o)
     for (int k = 0; k <= elements; k++) {
         struct line_point p;
 
-        line_at(s, s->cable.L0 * k / elements, &p);
+        line_at(s, s->cable.L0 * ((double)k / elements), &p);
         out_row(o, (double[]){p.theta, p.x1, p.x2, p.tension, p.V / s->H, atan2(p.V, s->H)}, 6);
     }
 }
@@ -40,9 +40,12 @@ static void print_summary(const struct line *s, struct out *o)
     line_at(s, c->L0 / 2, &mid);
     line_at(s, c->L0, &right);
     fputs("horizontal_force_N,vertical_left_N,vertical_right_N,tension_left_N,tension_mid_N,"
-          "tension_right_N,sag_m,length_m,lambda2\n", o->f);
-    out_row(o, (double[]){s->H, s->V, s->W - s->V, left.tension, mid.tension, right.tension,
-                          line_sag(s), line_length(s), line_lambda2(s, c->mu * c->L0 / c->span)}, 9);
+          "tension_right_N,sag_m,length_m,lambda2\n",
+          o->f);
+    out_row(o,
+            (double[]){s->H, s->V, s->W - s->V, left.tension, mid.tension, right.tension,
+                       line_sag(s), line_length(s), line_lambda2(s, c->mu * c->L0 / c->span)},
+            9);
 }
 
 int main(int argc, char **argv)

@@ -116,7 +116,8 @@ static void print_header(const struct time_plan *t, struct out *o)
     for (int p = 1; p <= t->n_probes; p++)
         fprintf(o->f, ",v1_%d_m,v2_%d_m,v3_%d_m,tension_%d_N", p, p, p, p);
     fputs(",force_left_1_N,force_left_2_N,force_left_3_N,force_right_1_N,force_right_2_N,"
-          "force_right_3_N\n", o->f);
+          "force_right_3_N\n",
+          o->f);
 }
 
 static void print_row(const struct time_plan *t, double time, const struct march *m, struct out *o)
@@ -140,8 +141,10 @@ __attribute__((noreturn)) static void report_divergence(const struct march *m)
             "t = %.9g s: diverged: the step of %.6g s is longer than the %.6g s that the cable, "
             "stretched as it is, allows; set time.step = auto or less than that",
             march_time(m), m->options.dt, stable);
-    die(SW_DIVERGED, "t = %.9g s: diverged with a step of %.6g s: numbers are no longer finite; set "
-                     "a smaller time.step, or smaller amplitudes", march_time(m), m->options.dt);
+    die(SW_DIVERGED,
+        "t = %.9g s: diverged with a step of %.6g s: numbers are no longer finite; set "
+        "a smaller time.step, or smaller amplitudes",
+        march_time(m), m->options.dt);
 }
 
 static void run(const struct cable_case *c, const struct grid *grid, const struct modes *modes,
@@ -164,7 +167,8 @@ static void run(const struct cable_case *c, const struct grid *grid, const struc
     progress_end();
     if (m->slack_time >= 0)
         warn("slack: the cable would carry compression, first at t = %.6g s, theta = %.6g m; it "
-             "cannot, so that what follows is not to be trusted", m->slack_time, m->slack_theta);
+             "cannot, so that what follows is not to be trusted",
+             m->slack_time, m->slack_theta);
 }
 
 int main(int argc, char **argv)
@@ -188,7 +192,8 @@ int main(int argc, char **argv)
         die(s, "model: %s", status_text(s));
     get_modes(&c, &model, &modes);
     grid = lay_grid(&c.time, march_critical_step(&model));
-    options_of_march = (struct march_options){c.alpha, c.beta, grid.dt, c.terms, c.motion, c.n_motions};
+    options_of_march =
+        (struct march_options){c.alpha, c.beta, grid.dt, c.terms, c.motion, c.n_motions};
     s = march_new(&model, &options_of_march, &march);
     V = mem_doubles(6 * ((size_t)c.elements + 1));
     if (s != SW_OK || !V)

@@ -16,9 +16,8 @@ static const struct opt options[] = {
     OPT_COMMON(&args.common),
 };
 
-static const struct opt_tool tool = {"modal", "CASE",
-                                     "Eigenfrequencies and modes of one cable about its static line.",
-                                     options};
+static const struct opt_tool tool = {
+    "modal", "CASE", "Eigenfrequencies and modes of one cable about its static line.", options};
 
 static void print_modes(const struct modes *p, struct out *o)
 {

@@ -22,8 +22,8 @@ enum kind {
 struct key {
     const char *section, *name;
     enum kind kind;
-    size_t at;            /* offset in struct cable_case, or in the item of a labelled section */
-    int least, most;      /* how many numbers */
+    size_t at;       /* offset in struct cable_case, or in the item of a labelled section */
+    int least, most; /* how many numbers */
     double min, max;
     const char *words;    /* WORD: choices; NUMBERS: a word that stands for 0 */
     const char *fallback; /* default as text, or NULL: none */
@@ -410,8 +410,10 @@ enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
     for (int i = 0; sets && i < sets->n && s == SW_OK; i++)
         s = ini_set(&ini, sets->item[i], why);
     if (s == SW_OK && ini.n == 0)
-        s = fail(why, SW_FORMAT, "%s: is empty; a case with at least [cable] and [supports] is "
-                                 "expected", name);
+        s = fail(why, SW_FORMAT,
+                 "%s: is empty; a case with at least [cable] and [supports] is "
+                 "expected",
+                 name);
     if (s == SW_OK)
         s = take_all(&r, ret);
     ini_free(&ini);
@@ -443,7 +445,8 @@ static void print_key(const struct key *k, const char *base, struct out *o)
     const char *at = base + k->at;
     const double *x = (const double *)(const void *)at;
 
-    if ((k->kind == NUMBERS && isnan(x[0])) || (k->kind == WHOLE && *(const int *)(const void *)at < 0))
+    if ((k->kind == NUMBERS && isnan(x[0])) ||
+        (k->kind == WHOLE && *(const int *)(const void *)at < 0))
         return;
     fprintf(o->f, "%s =", k->name);
     if (k->kind == WORD)

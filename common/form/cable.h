@@ -31,16 +31,16 @@ struct time_plan {
     double step;         /* [s], 0: auto */
     char start_text[64]; /* as written */
     enum time_start start;
-    int start_mode;      /* from 1 */
+    int start_mode; /* from 1 */
     double start_amplitude;
-    double output_every;        /* [s] */
-    double probe[MAX_PROBES];   /* fractions of L0, NAN behind the last */
+    double output_every;      /* [s] */
+    double probe[MAX_PROBES]; /* fractions of L0, NAN behind the last */
     int n_probes;
 };
 
 struct cable_case {
-    struct cable cable;            /* EA resolved */
-    double youngs_modulus, area;   /* NAN if axial_stiffness was given */
+    struct cable cable;          /* EA resolved */
+    double youngs_modulus, area; /* NAN if axial_stiffness was given */
     int elements;
     int law;                       /* enum law */
     double alpha, beta;            /* resolved */

@@ -9,13 +9,18 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* The arrays of a directory, in the order of array_name. */
-enum { MASS, STIFFNESS, MASS_U, STIFFNESS_U, MASS_R, STIFFNESS_R, DOFS, STATIC, OMEGA, MODES, N_ARRAYS };
+/* The arrays of a directory. */
+enum { MASS, STIFFNESS, MASS_U, STIFFNESS_U, MASS_R, STIFFNESS_R, DOFS, STATIC, OMEGA, MODES };
+#define N_ARRAYS 10
 
+/* clang-format off */
 static const char *const array_name[N_ARRAYS] = {
-    "mass.npy",           "stiffness.npy", "mass_support.npy", "stiffness_support.npy",
-    "mass_reaction.npy",  "stiffness_reaction.npy",
-    "dofs.npy",           "static.npy",    "omega.npy",        "modes.npy"};
+    [MASS] = "mass.npy", [STIFFNESS] = "stiffness.npy",
+    [MASS_U] = "mass_support.npy", [STIFFNESS_U] = "stiffness_support.npy",
+    [MASS_R] = "mass_reaction.npy", [STIFFNESS_R] = "stiffness_reaction.npy",
+    [DOFS] = "dofs.npy", [STATIC] = "static.npy", [OMEGA] = "omega.npy", [MODES] = "modes.npy",
+};
+/* clang-format on */
 
 struct array {
     int dims;
@@ -66,7 +71,7 @@ static void fill_line(const struct model *m, double *line)
     size_t rows = (size_t)m->n + 1;
 
     for (size_t k = 0; k < rows; k++) {
-        double theta = m->line.cable.L0 * (double)k / m->n;
+        double theta = m->line.cable.L0 * ((double)k / m->n);
         struct line_point p;
         struct material at;
 
@@ -201,8 +206,10 @@ static enum status compare(const char *dir, int i, const struct array *a, struct
             error = e;
     }
     if (s == SW_OK && !(error <= 1e-12 * most))
-        s = fail(why, SW_FORMAT, "%s/%s: is not that of this case: an entry differs by %.3g, the "
-                                 "largest is %.3g", dir, array_name[i], error, most);
+        s = fail(why, SW_FORMAT,
+                 "%s/%s: is not that of this case: an entry differs by %.3g, the "
+                 "largest is %.3g",
+                 dir, array_name[i], error, most);
     npy_free(&file);
     return s;
 }
@@ -224,7 +231,8 @@ static int modes_fit(const struct content *c, double omega_max, const struct mod
 {
     for (int i = 0; i < p->k; i++) {
         const double *phi = p->phi + (size_t)p->n * (size_t)i;
-        double mass = quadratic(&c->M.free, phi, work), stiffness = quadratic(&c->K.free, phi, work);
+        double mass = quadratic(&c->M.free, phi, work),
+               stiffness = quadratic(&c->K.free, phi, work);
 
         if (!(fabs(mass - 1) <= 1e-9) ||
             !(fabs(stiffness - p->omega[i] * p->omega[i]) <= 1e-9 * omega_max * omega_max))
@@ -245,10 +253,12 @@ static enum status read_modes(const char *dir, const struct model *m, const stru
         return s;
     }
     s = read_array(dir, MODES, &phi, why);
-    *ret = (struct modes){.n = 6 * m->n, .k = (int)phi.columns, .omega = omega.data, .phi = phi.data};
+    *ret =
+        (struct modes){.n = 6 * m->n, .k = (int)phi.columns, .omega = omega.data, .phi = phi.data};
     if (s == SW_OK && (phi.rows != (size_t)ret->n || phi.columns != omega.rows ||
                        phi.columns > phi.rows || omega.columns != 1))
-        s = fail(why, SW_FORMAT, "%s: omega.npy and modes.npy do not fit the mesh or each other", dir);
+        s = fail(why, SW_FORMAT, "%s: omega.npy and modes.npy do not fit the mesh or each other",
+                 dir);
     if (s == SW_OK && !modes_fit(c, model_omega_max(m), ret, work))
         s = fail(why, SW_FORMAT, "%s: omega.npy and modes.npy are not modes of its matrices", dir);
     if (s != SW_OK)

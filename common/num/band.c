@@ -81,7 +81,7 @@ enum status band_restrict(const struct band *A, const int *keep, int n_keep, str
     return SW_OK;
 }
 
-/* Unit L and D from LAPACK's Cholesky factor C = L sqrt(D).  Returns 0 if a pivot is not positive. */
+/* Unit L and D from LAPACK's Cholesky factor C = L sqrt(D); 0 if a pivot is not positive. */
 static int take_factor(const struct band *C, struct band_factor *ret)
 {
     int n = C->n, kd = C->kd;
@@ -109,8 +109,8 @@ enum status band_cholesky(const struct band *A, struct band_factor *ret)
     enum status s = SW_NOMEM;
     int info;
 
-    *ret = (struct band_factor){A->n, A->kd, mem_doubles(n * kd), mem_doubles(n * kd),
-                                mem_doubles(n)};
+    *ret =
+        (struct band_factor){A->n, A->kd, mem_doubles(n * kd), mem_doubles(n * kd), mem_doubles(n)};
     if (C.a && ret->row && ret->column && ret->inverse) {
         info = n > 0 ? LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', C.n, C.kd, C.a, C.kd + 1) : 0;
         s = info == 0 && take_factor(&C, ret) ? SW_OK : SW_INDEFINITE;

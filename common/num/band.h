@@ -24,8 +24,8 @@ struct band {
  */
 struct band_factor {
     int n, kd;
-    double *row;    /* kd x n: L(j, j - kd), ..., L(j, j - 1) */
-    double *column; /* kd x n: L(j + kd, j), ..., L(j + 1, j) */
+    double *row;     /* kd x n: L(j, j - kd), ..., L(j, j - 1) */
+    double *column;  /* kd x n: L(j + kd, j), ..., L(j + 1, j) */
     double *inverse; /* n: 1/D */
 };
 
@@ -62,8 +62,8 @@ enum status band_combine(double a, const struct band *A, double b, const struct 
 /* The rows and columns keep[0] < keep[1] < ... of A; half bandwidth as A.  SW_NOMEM. */
 enum status band_restrict(const struct band *A, const int *keep, int n_keep, struct band *ret);
 
-/* Factor of A (by LAPACK's dpbtrf).  SW_NOMEM; SW_INDEFINITE if A is not positive definite, or holds a
- * NaN. */
+/* Factor of A (by LAPACK's dpbtrf).  SW_NOMEM; SW_INDEFINITE if A is not positive definite, or
+ * holds a NaN. */
 enum status band_cholesky(const struct band *A, struct band_factor *ret);
 
 void band_factor_free(struct band_factor *F);

@@ -54,9 +54,14 @@ void hermite(double h, double xi, double f[4], double f1[4])
 void element_mass(double mu, double h, double ret[16])
 {
     double s = mu * h / 420;
-    const double m[16] = {156,     22 * h,     54,      -13 * h,    22 * h,  4 * h * h,
-                          13 * h,  -3 * h * h, 54,      13 * h,     156,     -22 * h,
-                          -13 * h, -3 * h * h, -22 * h, 4 * h * h};
+    /* clang-format off */
+    const double m[16] = {
+        156,      22 * h,      54,       -13 * h,
+        22 * h,   4 * h * h,   13 * h,   -3 * h * h,
+        54,       13 * h,      156,      -22 * h,
+        -13 * h,  -3 * h * h,  -22 * h,  4 * h * h,
+    };
+    /* clang-format on */
 
     for (int i = 0; i < 16; i++)
         ret[i] = s * m[i];
@@ -66,8 +71,8 @@ void element_mass(double mu, double h, double ret[16])
 static inline void slopes(const double f1[4], const double v[12], double w[3])
 {
     for (int c = 0; c < 3; c++)
-        w[c] = f1[0] * v[2 * c] + f1[1] * v[2 * c + 1] + f1[2] * v[2 * c + 6] +
-               f1[3] * v[2 * c + 7];
+        w[c] =
+            f1[0] * v[2 * c] + f1[1] * v[2 * c + 1] + f1[2] * v[2 * c + 6] + f1[3] * v[2 * c + 7];
 }
 
 static inline void watch_point(struct strain_watch *watch, const struct material *m, int point,

@@ -24,7 +24,7 @@ static enum status guess(const struct model *m, const double b[6], double *V)
     sine = across / moved.span;
     s = line_solve(&moved, &line);
     for (int k = 0; s == SW_OK && k <= m->n; k++) {
-        double theta = m->line.cable.L0 * k / m->n, *v = V + 6 * (size_t)k;
+        double theta = m->line.cable.L0 * ((double)k / m->n), *v = V + 6 * (size_t)k;
         struct line_point p, p0;
         struct material d, d0;
 

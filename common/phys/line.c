@@ -232,7 +232,7 @@ double line_lambda2(const struct line *s, double m)
 {
     const struct cable *c = &s->cable;
     double d = hypot(c->span, c->drop), cosine = c->span / d;
-    double T = s->H / cosine; /* chord tension */
+    double T = s->H / cosine;             /* chord tension */
     double q = m * c->g * cosine * d / T; /* m g cos(angle) Lc/Tc */
     double Le = d * (1 + q * q / 8);
 

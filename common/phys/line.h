@@ -20,9 +20,9 @@ struct cable {
 
 struct line {
     struct cable cable;
-    double W;     /* weight mu g L0 [N] */
-    double H, V;  /* reactions of the left support [N]: horizontal, upward */
-    int steps;    /* Newton steps taken */
+    double W;    /* weight mu g L0 [N] */
+    double H, V; /* reactions of the left support [N]: horizontal, upward */
+    int steps;   /* Newton steps taken */
 };
 
 struct line_point {

@@ -141,8 +141,8 @@ double march_time(const struct march *m)
  * Solve A x = p->x with the held unknowns at given values (by support component, 6).  Keeps the
  * right side of the held rows in p->residual.
  */
-static void solve_held(struct march_part *p, const struct band *A,
-                       const struct band_factor *factor, const double value[6])
+static void solve_held(struct march_part *p, const struct band *A, const struct band_factor *factor,
+                       const double value[6])
 {
     for (int i = 0; i < p->n_held; i++)
         p->residual[i] = p->x[p->held[i]];

@@ -15,10 +15,10 @@
 struct model {
     struct line line;
     enum law law;
-    int n;                        /* elements, >= 1 */
-    double h;                     /* unstressed length of each [m] */
+    int n;    /* elements, >= 1 */
+    double h; /* unstressed length of each [m] */
     double slope[GAUSS][4];
-    struct material *material;    /* GAUSS n, owned */
+    struct material *material; /* GAUSS n, owned */
 };
 
 /* The unknowns of a node that a matrix takes in: all, those in the plane of the static line, or the

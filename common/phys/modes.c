@@ -92,8 +92,8 @@ static void merge(const struct model *m, const struct part_modes part[2], struct
     int next[2] = {0, 0};
 
     for (int k = 0; k < ret->k; k++) {
-        int lateral = next[0] == part[0].n || (next[1] < part[1].n && part[1].lambda[next[1]] <
-                                                                           part[0].lambda[next[0]]);
+        int lateral = next[0] == part[0].n ||
+                      (next[1] < part[1].n && part[1].lambda[next[1]] < part[0].lambda[next[0]]);
         const struct part_modes *p = &part[lateral];
         const double *x = p->x + (size_t)p->n * (size_t)next[lateral];
         double *phi = ret->phi + (size_t)ret->n * (size_t)k;

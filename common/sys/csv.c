@@ -11,11 +11,11 @@
 struct csv_reader {
     FILE *f;
     struct csv_parser parser;
-    char *line;      /* getline's buffer */
+    char *line; /* getline's buffer */
     size_t line_size;
-    char *text;      /* cells of the row one after another, each with its NUL */
+    char *text; /* cells of the row one after another, each with its NUL */
     size_t used, size;
-    size_t *start;   /* of each cell in text */
+    size_t *start; /* of each cell in text */
     char **cell;
     int n, room;
     int no_memory;
@@ -99,8 +99,9 @@ static enum status parse(struct csv *c, const char *line, size_t length, struct 
     if (r->no_memory || (bad && csv_error(&r->parser) == CSV_ENOMEM))
         return fail_plain(why, SW_NOMEM);
     if (bad)
-        return csv_fail(why, c, "a quote is wrong: a cell is either quoted as a whole, with \"\" for "
-                                "a quote inside, or not at all, and ends on its line");
+        return csv_fail(why, c,
+                        "a quote is wrong: a cell is either quoted as a whole, with \"\" for "
+                        "a quote inside, or not at all, and ends on its line");
     return SW_OK;
 }
 

@@ -107,7 +107,9 @@ static int judge(struct reading *r, char *text)
             r->status = fail_plain(r->why, SW_NOMEM);
             return 0;
         }
-        strcat(text, "]"); /* room: the line was longer before */
+        end = strchr(text, '\0'); /* back as it was, for inih; the line was longer before */
+        end[0] = ']';
+        end[1] = '\0';
         return 1;
     }
     if (text[0] == '\0')

@@ -18,7 +18,8 @@
 
 #define K_MIN (-292)
 #define K_MAX 324
-#define WORDS 19 /* of 64 bits: 10^324 < 2^1077; 10^-292 with 128 bits needs 1098 after the point */
+#define WORDS 19 /* of 64 bits: 10^324 < 2^1077; 10^-292 with 128 bits needs 1098 after the point  \
+                  */
 
 __extension__ typedef unsigned __int128 u128;
 

@@ -36,20 +36,37 @@ struct opt_common {
     int print_case, quiet, verbose;
 };
 
-#define OPT_OUT(c) {NULL, 'o', OPT_TEXT, &(c)->out, "FILE", "write the result there, not on stdout", 0, 0}
+#define OPT_OUT(c)                                                                                 \
+    {                                                                                              \
+        NULL, 'o', OPT_TEXT, &(c)->out, "FILE", "write the result there, not on stdout", 0, 0      \
+    }
 #define OPT_COMMON(c)                                                                              \
-    {"set", 0, OPT_LIST, &(c)->sets, "SECTION.KEY=VALUE",                                          \
-     "set or add a key of the case; an empty value removes it", 0, 0},                             \
-        {"print-case", 0, OPT_FLAG, &(c)->print_case, NULL,                                        \
-         "print the resolved case, every default written out, and stop", 0, 0},                    \
+    {"set",                                                                                        \
+     0,                                                                                            \
+     OPT_LIST,                                                                                     \
+     &(c)->sets,                                                                                   \
+     "SECTION.KEY=VALUE",                                                                          \
+     "set or add a key of the case; an empty value removes it",                                    \
+     0,                                                                                            \
+     0},                                                                                           \
+        {"print-case",                                                                             \
+         0,                                                                                        \
+         OPT_FLAG,                                                                                 \
+         &(c)->print_case,                                                                         \
+         NULL,                                                                                     \
+         "print the resolved case, every default written out, and stop",                           \
+         0,                                                                                        \
+         0},                                                                                       \
         {"quiet", 'q', OPT_FLAG, &(c)->quiet, NULL, "no warnings", 0, 0},                          \
         {"verbose", 'v', OPT_FLAG, &(c)->verbose, NULL, "say what is done", 0, 0},                 \
-    {NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0}
+    {                                                                                              \
+        NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0                                                  \
+    }
 
 struct opt_tool {
     const char *name;
-    const char *usage;   /* operands, e.g. "CASE" */
-    const char *purpose; /* one sentence */
+    const char *usage;         /* operands, e.g. "CASE" */
+    const char *purpose;       /* one sentence */
     const struct opt *options; /* ends with an entry without name and letter */
 };
 

@@ -25,7 +25,7 @@
 
 /* |x - wanted| <= tolerance |wanted|. */
 #define near_rel(x, wanted, tolerance)                                                             \
-    near_((x), (wanted), (tolerance) * fabs((double)(wanted)), #x, __FILE__, __LINE__)
+    near_((x), (wanted), (tolerance)*fabs((double)(wanted)), #x, __FILE__, __LINE__)
 
 static inline void near_(double x, double wanted, double tolerance, const char *what,
                          const char *file, int line)

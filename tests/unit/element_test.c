@@ -40,8 +40,10 @@ static double energy(const struct element *e, int terms, const double v[12])
         along = m->x1 * w[0] + m->x2 * w[1];
         square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
         U += gauss_weight[q] * e->h *
-             (m->EA / 2 * (along * along + (terms >= 2) * along * square +
-                           (terms >= 3) * square * square / 4) + m->T / 2 * square);
+             (m->EA / 2 *
+                  (along * along + (terms >= 2) * along * square +
+                   (terms >= 3) * square * square / 4) +
+              m->T / 2 * square);
     }
     return U;
 }
@@ -68,7 +70,8 @@ static void force_is_gradient_of_energy(void **state)
                 U[k] = energy(&e, terms[t], v);
             }
             v[i] = keep;
-            near_abs((U[0] - 8 * U[1] + 8 * U[2] - U[3]) / (12 * step), F[i], 1e-9 * fabs(F[i]) + 1e-5);
+            near_abs((U[0] - 8 * U[1] + 8 * U[2] - U[3]) / (12 * step), F[i],
+                     1e-9 * fabs(F[i]) + 1e-5);
         }
     }
 }
@@ -234,8 +237,8 @@ static void stiffness_of_a_straight_element(void **state)
     struct material m[GAUSS];
     struct element e = {.h = 20, .m = m};
     double K[144], f[4], h = 20, T, rest[12] = {0};
-    const double lateral[16] = {36,     3 * h,  -36,    3 * h,  3 * h,  4 * h * h, -3 * h, -h * h,
-                                -36,    -3 * h, 36,     -3 * h, 3 * h,  -h * h,    -3 * h, 4 * h * h};
+    const double lateral[16] = {36,  3 * h,  -36, 3 * h,  3 * h, 4 * h * h, -3 * h, -h * h,
+                                -36, -3 * h, 36,  -3 * h, 3 * h, -h * h,    -3 * h, 4 * h * h};
     (void)state;
 
     assert_int_equal(line_solve(&c, &s), SW_OK);
@@ -250,8 +253,8 @@ static void stiffness_of_a_straight_element(void **state)
             int I = i / 2 * 6 + i % 2, J = j / 2 * 6 + j % 2;
             double N = lateral[i + 4 * j] / (30 * h);
 
-            near_abs(K[I + 4 + 12 * (J + 4)], T * N, 1e-9 * T); /* v3 */
-            near_abs(K[I + 2 + 12 * (J + 2)], T * N, 1e-9 * T); /* v2 of a level cable */
+            near_abs(K[I + 4 + 12 * (J + 4)], T * N, 1e-9 * T);          /* v3 */
+            near_abs(K[I + 2 + 12 * (J + 2)], T * N, 1e-9 * T);          /* v2 of a level cable */
             near_abs(K[I + 12 * J], (c.EA / 1.01 + T) * N, 1e-9 * c.EA); /* EA/a^3 a^2 + T */
             near_abs(K[I + 12 * (J + 4)], 0, 1e-9);
         }

@@ -25,8 +25,8 @@ static void exact_place(const struct cable *c, const double b[6], double theta, 
     *tension = p.tension;
 }
 
-/* Law hooke is a cubic about the static line: the force is off by 1.5 EA gamma^2, 1.1e-4 (PONT) or 2e-4 of
- * T (SEIL2), which moves the points by as much of the sag. */
+/* Law hooke is a cubic about the static line: the force is off by 1.5 EA gamma^2, 1.1e-4 (PONT) or
+ * 2e-4 of T (SEIL2), which moves the points by as much of the sag. */
 static void check(const struct cable *c, const double b[6], double tolerance)
 {
     struct model m;

@@ -56,7 +56,8 @@ static void random_cables_close(void **state)
     below(worst, 1e-12);
 }
 
-/* Theory section 2, Table 6.1: midspan tension, sag, lambda^2 with m = mu, to the printed digits. */
+/* Theory section 2, Table 6.1: midspan tension, sag, lambda^2 with m = mu, to the printed digits.
+ */
 static void published_numbers(void **state)
 {
     static const struct {
@@ -98,9 +99,10 @@ static void points_of_a109(void **state)
             line_at(&s, (double)theta, &p);
             near_abs(p.x1, (double)(H * theta / EA + H * L0 / W * (asinhl(V / H) - asinhl(v / H))),
                      1e-12 * s.cable.L0);
-            near_abs(p.x2, (double)(W * theta / EA * (V / W - theta / (2 * L0)) +
-                                    H * L0 / W * (sqrtl(1 + V / H * (V / H)) -
-                                                  sqrtl(1 + v / H * (v / H)))),
+            near_abs(p.x2,
+                     (double)(W * theta / EA * (V / W - theta / (2 * L0)) +
+                              H * L0 / W *
+                                  (sqrtl(1 + V / H * (V / H)) - sqrtl(1 + v / H * (v / H)))),
                      1e-12 * s.cable.L0);
             near_rel(p.tension, (double)sqrtl(H * H + v * v), 1e-15);
         }
@@ -158,7 +160,7 @@ static void stiffness_of_the_catenary(void **state)
 {
     (void)state;
     for (double phi = 0.2; phi < 1.3; phi += 0.2) {
-        double A = log((1 + sin(phi)) / cos(phi)); /* half span over H/w */
+        double A = log((1 + sin(phi)) / cos(phi));             /* half span over H/w */
         struct cable c = {2 * tan(phi), 1, 1e12, 1, 2 * A, 0}; /* H = w = 1 */
         struct line s;
         double K[9], T, span = 2 * A;
@@ -239,10 +241,10 @@ static void inadmissible_is_refused(void **state)
 {
     struct line s;
     const struct cable bad[] = {
-        {0, 1, 1e6, 9.81, 10, 0},    {-1, 1, 1e6, 9.81, 10, 0}, {NAN, 1, 1e6, 9.81, 10, 0},
-        {10, 0, 1e6, 9.81, 10, 0},   {10, 1, 0, 9.81, 10, 0},   {10, 1, 1e6, -1, 10, 0},
-        {10, 1, 1e6, 9.81, 0, 5},    {10, 1, 1e6, 9.81, 10, INFINITY},
-        {10, 1, 1e6, NAN, 10, 0},    {10.1, 1, 1e6, 0, 10, 0},
+        {0, 1, 1e6, 9.81, 10, 0},  {-1, 1, 1e6, 9.81, 10, 0},        {NAN, 1, 1e6, 9.81, 10, 0},
+        {10, 0, 1e6, 9.81, 10, 0}, {10, 1, 0, 9.81, 10, 0},          {10, 1, 1e6, -1, 10, 0},
+        {10, 1, 1e6, 9.81, 0, 5},  {10, 1, 1e6, 9.81, 10, INFINITY}, {10, 1, 1e6, NAN, 10, 0},
+        {10.1, 1, 1e6, 0, 10, 0},
     };
     (void)state;
 

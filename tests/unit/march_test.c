@@ -126,7 +126,8 @@ static void order_two(void **state)
 }
 
 /* ret := A x for the free rows; x has free and prescribed values. */
-static void apply(const struct partition *A, double c, const double *x, const double b[6], double *ret)
+static void apply(const struct partition *A, double c, const double *x, const double b[6],
+                  double *ret)
 {
     band_multiply_add(&A->free, c, x, ret);
     for (int j = 0; j < 6; j++)

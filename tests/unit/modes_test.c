@@ -15,8 +15,8 @@ static struct modes solve(const struct cable *c, enum law law, int n, int k, str
     return p;
 }
 
-/* One unit of the sixth significant digit.  (Sheet A.3 lists its first frequency with four decimals,
- * and with five beside the damping: the latter stands in the data.) */
+/* One unit of the sixth significant digit.  (Sheet A.3 lists its first frequency with four
+ * decimals, and with five beside the damping: the latter stands in the data.) */
 static double unit_of_sixth_digit(double omega)
 {
     return pow(10, floor(log10(omega)) - 5) * (1 + 1e-9);
@@ -274,8 +274,8 @@ static void partitions(void **state)
             double rest = Kp.support[i + 24 * axis] + Kp.support[i + 24 * (axis + 3)];
 
             near_abs(force[i] + rest, 0, 1e-6);
-            mass += one[i] * (inertia[i] + 2 * (Mp.support[i + 24 * axis] +
-                                                Mp.support[i + 24 * (axis + 3)]));
+            mass += one[i] * (inertia[i] +
+                              2 * (Mp.support[i + 24 * axis] + Mp.support[i + 24 * (axis + 3)]));
         }
         mass += Mp.reaction[axis + 6 * axis] + 2 * Mp.reaction[axis + 6 * (axis + 3)] +
                 Mp.reaction[axis + 3 + 6 * (axis + 3)];
