@@ -57,6 +57,9 @@ static void get_modes(const struct cable_case *c, const struct model *m, struct 
             die(SW_USAGE, "%s: holds %d modes; mode %d is wanted", args.common.dir, ret->k, wanted);
     } else if (wanted > 0) {
         s = modes_all(m, wanted, ret);
+        if (s == SW_ADMISSIBLE)
+            die(s, "a mode is wanted, which takes up to %d elements; the case has %d",
+                MODES_MAX_ELEMENTS, c->elements);
         if (s != SW_OK)
             die(s, "modes: %s", status_text(s));
     }

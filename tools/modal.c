@@ -51,6 +51,9 @@ int main(int argc, char **argv)
     s = model_new(&c.cable, (enum law)c.law, c.elements, &m);
     if (s == SW_OK)
         s = modes_all(&m, args.modes > 0 ? (int)args.modes : 6 * c.elements, &modes);
+    if (s == SW_ADMISSIBLE)
+        die(s, "all modes are solved for at once, which takes up to %d elements; the case has %d",
+            MODES_MAX_ELEMENTS, c.elements);
     if (s != SW_OK)
         die(s, "modes of %d elements: %s", c.elements, status_text(s));
     must(out_open(&o, args.common.out, &why), &why);

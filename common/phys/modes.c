@@ -109,9 +109,11 @@ static void merge(const struct model *m, const struct part_modes part[2], struct
 enum status modes_all(const struct model *m, int k, struct modes *ret)
 {
     struct part_modes part[2] = {{0}, {0}};
-    enum status s = solve_part(m, PART_PLANE, &part[0]);
+    enum status s = SW_ADMISSIBLE;
 
     *ret = (struct modes){.n = 6 * m->n, .k = k};
+    if (m->n <= MODES_MAX_ELEMENTS)
+        s = solve_part(m, PART_PLANE, &part[0]);
     if (s == SW_OK)
         s = solve_part(m, PART_LATERAL, &part[1]);
     if (s == SW_OK) {

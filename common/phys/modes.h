@@ -18,8 +18,11 @@ struct modes {
     enum part *plane; /* (k) PART_PLANE or PART_LATERAL; owned */
 };
 
+/* Elements up to which all modes can be solved for at once: some 3 GB and two minutes. */
+#define MODES_MAX_ELEMENTS 2000
+
 /* The k lowest modes (1 <= k <= 6 n), by solving for all.  Memory about 2.5 (6 n)^2 doubles.
- * SW_NOMEM, SW_INDEFINITE, SW_NOCONV. */
+ * SW_ADMISSIBLE: more than MODES_MAX_ELEMENTS; SW_NOMEM, SW_INDEFINITE, SW_NOCONV. */
 enum status modes_all(const struct model *m, int k, struct modes *ret);
 
 void modes_free(struct modes *p);

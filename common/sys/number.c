@@ -260,9 +260,9 @@ const char *integer_read(const char *text, long min, long max, long *ret)
     i = strtol(text, &end, 10);
     if (end == text || *end != '\0' || isspace((unsigned char)*text))
         return "not a whole number";
-    if (errno != 0 || i > max)
+    if (i > max || (errno != 0 && i > 0))
         return "the number is too large";
-    if (i < min)
+    if (i < min || errno != 0)
         return "the number is too small";
     *ret = i;
     return NULL;

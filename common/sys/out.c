@@ -86,6 +86,9 @@ static enum status open_part(struct out *o, struct why *why)
         return fail(why, SW_WRITE, "%s: the path is too long", o->name);
     if (stat(part, &st) == 0 && in_was_read(&st))
         return fail(why, SW_USAGE, "%s: is an input of this run", part);
+    for (int i = 0; i < MAX_OPEN; i++)
+        if (strcmp(unfinished[i], part) == 0)
+            return fail(why, SW_USAGE, "%s: is written twice in this run", o->name);
     for (o->slot = 0; o->slot < MAX_OPEN && unfinished[o->slot][0] != '\0'; o->slot++)
         ;
     if (o->slot == MAX_OPEN) {

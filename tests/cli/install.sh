@@ -1,0 +1,24 @@
+#!/bin/sh
+# make install, uninstall and dist in a scratch directory.
+. "$(dirname "$0")/../cli/tap.sh"
+[ -z "${SEILWERK_SANITIZED:-}" ] || {
+    skip 'not under the sanitizers'
+    finish
+}
+
+runs 0 'make install' make -s -C "$top" install BUILD="$SEILWERK_BUILD" \
+    DESTDIR="$scratch/root" PREFIX=/opt/sw PROGRAM_PREFIX=x-
+for tool in catenary modal diffverf; do
+    "$scratch/root/opt/sw/bin/x-$tool" --version >/dev/null
+    ok $? "x-$tool runs"
+    cmp "$top/man/$tool.1" "$scratch/root/opt/sw/share/man/man1/x-$tool.1" >&2
+    ok $? "x-$tool has its page"
+done
+[ -f "$scratch/root/opt/sw/share/man/man5/seilwerk-case.5" ] &&
+    [ -f "$scratch/root/opt/sw/share/man/man7/seilwerk.7" ]
+ok $? 'the other pages keep their names'
+runs 0 'make uninstall' make -s -C "$top" uninstall BUILD="$SEILWERK_BUILD" \
+    DESTDIR="$scratch/root" PREFIX=/opt/sw PROGRAM_PREFIX=x-
+[ -z "$(find "$scratch/root" -type f)" ]
+ok $? 'nothing is left'
+finish
