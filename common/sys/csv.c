@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define OPTIONS (CSV_STRICT | CSV_STRICT_FINI | CSV_APPEND_NULL)
+
 struct csv_reader {
     FILE *f;
     struct csv_parser parser;
@@ -40,7 +42,7 @@ enum status csv_begin(const struct in *in, struct csv *ret, struct why *why)
     if (!r)
         return fail_plain(why, SW_NOMEM);
     r->f = in->f;
-    if (csv_init(&r->parser, CSV_STRICT | CSV_STRICT_FINI | CSV_APPEND_NULL) != 0) {
+    if (csv_init(&r->parser, OPTIONS) != 0) {
         csv_end(ret);
         return fail_plain(why, SW_NOMEM);
     }
@@ -98,10 +100,13 @@ static enum status parse(struct csv *c, const char *line, size_t length, struct 
 
     if (r->no_memory || (bad && csv_error(&r->parser) == CSV_ENOMEM))
         return fail_plain(why, SW_NOMEM);
-    if (bad)
+    if (bad) {
+        csv_free(&r->parser); /* the next row begins anew */
+        csv_init(&r->parser, OPTIONS);
         return csv_fail(why, c,
                         "a quote is wrong: a cell is either quoted as a whole, with \"\" for "
                         "a quote inside, or not at all, and ends on its line");
+    }
     return SW_OK;
 }
 
@@ -132,6 +137,8 @@ enum status csv_row(struct csv *c, struct why *why)
         }
         if (strlen(line) != (size_t)length)
             return csv_fail(why, c, "a NUL byte: this is no text file");
+        if (strchr(line, '\r'))
+            return csv_fail(why, c, "a carriage return inside of the line");
         if (length == 0)
             continue;
         r->n = 0;

@@ -25,7 +25,8 @@ struct csv {
 enum status csv_begin(const struct in *in, struct csv *ret, struct why *why);
 
 /* Next row; at the end of the file n is 0 and cell NULL.  SW_FORMAT (open quote, quote inside of a
- * cell, NUL byte), SW_READ, SW_NOMEM. */
+ * cell, NUL byte, carriage return within the line; the row after it may be read), SW_READ,
+ * SW_NOMEM. */
 enum status csv_row(struct csv *c, struct why *why);
 
 /* The header row as csv_row, refused with a hint if it seems to be separated by semicolons. */

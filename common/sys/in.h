@@ -14,7 +14,8 @@ struct in {
     const char *name; /* for messages: the path, or "<stdin>" */
 };
 
-/* Open path for reading; "-" is stdin.  SW_READ: missing, a directory, no permission. */
+/* Open path for reading; "-" is stdin.  SW_READ: missing, a directory, no permission;
+ * SW_NOMEM. */
 enum status in_open(const char *path, struct in *ret, struct why *why);
 
 void in_close(struct in *in);

@@ -129,7 +129,7 @@ static int judge(struct reading *r, char *text)
 static char *next_line(char *str, int num, void *stream)
 {
     struct reading *r = stream;
-    char raw[INI_LINE_BYTES + 4]; /* byte order mark or CR, LF, NUL */
+    char raw[INI_LINE_BYTES + 6]; /* byte order mark, CR, one byte too many, NUL */
     char *text = raw;
     int c = 0, n = 0;
 
@@ -166,14 +166,19 @@ static char *next_line(char *str, int num, void *stream)
     return str;
 }
 
-/* Called by inih right after the line was read, so that r->line is that of the key. */
-static int on_key(void *user, const char *section, const char *key, const char *value)
+/* Called by inih right after the line was read, so that r->line is that of the key.  The section's
+ * name is ours: inih cuts long ones. */
+static int on_key(void *user, const char *cut_section, const char *key, const char *value)
 {
     struct reading *r = user;
-    const struct ini_entry *before = ini_find(r->ini, section, key);
+    const struct ini_entry *before;
+    const char *section;
 
+    (void)cut_section;
     if (r->status != SW_OK)
         return 0;
+    section = r->ini->section[r->ini->n_sections - 1].section;
+    before = ini_find(r->ini, section, key);
     if (before)
         return stop(r, "[%s] %s was given in line %d already", section, key, before->line);
     r->status = push(&r->ini->entry, &r->ini->n, section, key, value, r->line);
@@ -198,6 +203,15 @@ enum status ini_read(FILE *f, const char *name, struct ini *ret, struct why *why
     return r.status;
 }
 
+/* Whether the name could stand in a file; cut where a comment would begin. */
+static int is_section_name(char *name)
+{
+    size_t length = strlen(name);
+
+    strip_comment(name);
+    return strlen(name) == length && !strchr(name, ']');
+}
+
 enum status ini_set(struct ini *ini, const char *assignment, struct why *why)
 {
     char copy[INI_LINE_BYTES + 1];
@@ -220,6 +234,8 @@ enum status ini_set(struct ini *ini, const char *assignment, struct why *why)
     value = trim(equals + 1);
     if (*section == '\0' || *key == '\0')
         return fail(why, SW_USAGE, "--set %s: expected SECTION.KEY=VALUE", assignment);
+    if (!is_section_name(section))
+        return fail(why, SW_USAGE, "--set %s: no file could hold such a section", assignment);
     e = (struct ini_entry *)ini_find(ini, section, key);
     if (e && *value != '\0') {
         char *changed = mem_copy(value, strlen(value) + 1);

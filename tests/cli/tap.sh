@@ -4,6 +4,8 @@ set -u
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
 compare=$SEILWERK_BUILD/tests/compare
+PATH=$SEILWERK_BUILD/bin:$PATH
+export PATH OPENBLAS_NUM_THREADS=1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 tests=0

@@ -1,0 +1,85 @@
+# Sourced by the computed scripts of the experiments: numbers out of the tables of a run, printed as
+# a table quantity,by,computed.
+# shellcheck shell=sh
+LC_ALL=C
+export LC_ALL
+if [ $# -ne 1 ] || [ ! -r "$1/model/case.ini" ]; then
+    sed -n '2s/^# //p' "$0" >&2
+    exit 2
+fi
+here=$(dirname "$0")
+case=$here/case.ini
+dir=$1
+
+# key NAME: its value in the resolved case.
+key()
+{
+    sed -n "s/^$1 = //p" "$dir/model/case.ini"
+}
+
+law="law $(key law)"
+
+# Midspan tension, sag, lambda^2; the sag also without its elastic term, and lambda^2 with mu for
+# the mass per metre of span, as the thesis prints them.
+static_rows()
+{
+    awk -F, -v L0="$(key unstressed_length)" -v span="$(key span)" '
+        NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+        {
+            H = $column["horizontal_force_N"]; V = $column["vertical_left_N"]
+            W = V + $column["vertical_right_N"]
+            # sqrt(1 + (V/H)^2) - 1, without cancellation; the cable hangs between level supports
+            rise = (V/H)^2/(1 + sqrt(1 + (V/H)^2))
+            printf "midspan tension,,%.10g\n", $column["tension_mid_N"]/1000
+            printf "sag,,%.10g\n", $column["sag_m"]
+            printf "sag without elastic term,,%.10g\n", H*L0/W*rise
+            printf "lambda^2,,%.10g\n", $column["lambda2"]*(span/L0)^2
+        }' "$dir/summary.csv"
+}
+
+# omega_rows COUNT: the first frequencies, by law printed and by the law of the case.
+omega_rows()
+{
+    modal --set mesh.law=printed -o "$dir/modes-printed.csv" "$case"
+    awk -F, -v count="$1" -v law="$law" '
+        FNR == 1 { file++; next }
+        FNR <= count + 1 { printf "omega %d,%s,%.10g\n", $1, file == 1 ? "law printed" : law, $2 }
+        ' "$dir/modes-printed.csv" "$dir/modes.csv"
+}
+
+# rayleigh_rows ZETA1 ZETA2 OMEGA1 OMEGA2: the two-point fit of the damping.
+rayleigh_rows()
+{
+    diffverf --print-case --set damping.alpha= --set damping.beta= \
+        --set damping.zeta="$1 $2" --set damping.omega="$3 $4" "$case" |
+        sed -n 's/^\(alpha\) = /Rayleigh \1,,/p; s/^\(beta\) = /Rayleigh \1,,/p'
+}
+
+# response_by_law_printed: the motion once more, by the law behind the published tables.
+response_by_law_printed()
+{
+    diffverf --set mesh.law=printed -o "$dir/response-printed.csv" "$case"
+}
+
+# range_row QUANTITY COLUMN FROM TO WHAT SCALE: the least or greatest value or the largest
+# magnitude (WHAT least, greatest, largest) between two times, by both laws.
+range_row()
+{
+    awk -F, -v quantity="$1" -v name="$2" -v from="$3" -v to="$4" -v what="$5" -v scale="$6" \
+        -v law="$law" '
+        FNR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; file++; n[file] = 0; next }
+        $1 < from || $1 > to { next }
+        {
+            x = scale*$c
+            if (what == "largest" && x < 0) x = -x
+            if (n[file]++ == 0 || (what == "least" ? x < best[file] : x > best[file]))
+                best[file] = x
+        }
+        END {
+            for (file = 1; file <= 2; file++)
+                printf "%s,%s,%s\n", quantity, file == 1 ? "law printed" : law,
+                    (n[file] ? sprintf("%.10g", best[file]) : "missing")
+        }' "$dir/response-printed.csv" "$dir/response.csv"
+}
+
+echo quantity,by,computed

@@ -1,0 +1,58 @@
+# Sourced by the plot scripts: checks, scratch directory, common look of the pictures.
+# shellcheck shell=sh
+name=${0##*/}
+LC_ALL=C
+export LC_ALL
+
+usage()
+{
+    sed -n '2s/^# //p' "$0" >&2
+    exit 2
+}
+
+fail()
+{
+    echo "$name: $1" >&2
+    exit "${2:-1}"
+}
+
+# begin PICTURE INPUT...: judge all before any work; $work is a scratch directory.
+begin()
+{
+    picture=$1
+    shift
+    for input in "$@"; do
+        [ -r "$input" ] || fail "$input: cannot be read" 2
+    done
+    command -v gnuplot >/dev/null 2>&1 ||
+        fail 'gnuplot is missing; install it (Debian: apt-get install gnuplot-nox)'
+    work=$(mktemp -d)
+    trap 'rm -rf "$work"' EXIT
+}
+
+# What the picture is about: the name of the directory that holds FILE.
+about()
+{
+    basename "$(cd "$(dirname "$1")" && pwd)" | tr "'" ' '
+}
+
+# draw: the commands on stdin make the picture; it is written when it is complete.
+draw()
+{
+    {
+        cat <<END
+set terminal pngcairo noenhanced size 1200,800 font 'Sans,13' linewidth 1.2
+set encoding utf8
+set output '$work/picture.png'
+set grid linecolor rgb '#d8d8d8' linetype 1 linewidth 0.6
+set tics nomirror out
+set border 3 linecolor rgb '#404040'
+set format '%g'
+blue = '#0060ad'; orange = '#d95f02'; green = '#1b8a5a'; purple = '#7555b3'
+array colour[4] = [blue, orange, green, purple]
+END
+        cat
+    } >"$work/picture.gp"
+    LC_ALL=C.UTF-8 gnuplot "$work/picture.gp" || fail "gnuplot could not draw $picture"
+    cat "$work/picture.png" >"$picture" || fail "$picture: cannot be written"
+}

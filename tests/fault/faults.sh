@@ -1,0 +1,169 @@
+#!/bin/sh
+# Each request for memory, each act of writing, each block of the disk fails in turn: never a crash,
+# a partial file or exit status 0 without the whole result.  Signals leave nothing half done.
+. "$(dirname "$0")/../cli/tap.sh"
+cd "$scratch" || exit 1
+sed 's/^end = .*/end = 0.1/; s/^elements = .*/elements = 2/' \
+    "$top/scripts/experiments/ben-ahin/case.ini" >stay.ini
+faults=$SEILWERK_BUILD/tests/faults.so
+modal -d whole -o whole.csv stay.ini
+
+# Until the file has content, ten seconds at most.
+wait_for()
+{
+    tries=0
+    while [ ! -s "$1" ] && [ $tries -lt 500 ]; do
+        sleep 0.02
+        tries=$((tries + 1))
+    done
+}
+
+# Runs of each tool on the small case, results in ./result.
+run()
+{
+    case $1 in
+    catenary) catenary -o result/out.csv stay.ini ;;
+    modal) modal -d result/model -o result/out.csv stay.ini ;;
+    diffverf) diffverf -d whole -o result/out.csv --set disturbance.mode=1 \
+        --set disturbance.amplitude=0.01 stay.ini ;;
+    print) catenary --print-case -o result/out.csv stay.ini ;;
+    esac
+}
+
+# judge STATUS: status 1, a message, no result, no unfinished file.  Prints what is wrong.
+judge()
+{
+    [ "$1" -eq 1 ] || echo "status $1"
+    [ -s err ] || echo 'no message'
+    [ ! -e result/out.csv ] || echo 'a result'
+    [ -z "$(find result -name '*.part')" ] || echo 'an unfinished file'
+}
+
+# each_fails WHAT TOOL COMMAND...: COMMAND gets n = 1, 2, ... until the n-th call does not come.  A
+# library may get over the loss by itself: then the result must be whole.
+each_fails()
+{
+    what=$1
+    tool=$2
+    shift 2
+    n=0
+    wrong=
+    rm -rf result
+    mkdir result
+    run "$tool"
+    mv result/out.csv expected.csv
+    while [ $n -lt 2000 ] && [ ${#wrong} -lt 200 ]; do
+        n=$((n + 1))
+        rm -rf result mark
+        mkdir result
+        "$@" "$n" "$tool" 2>err
+        status=$?
+        if [ $status -eq 0 ]; then
+            found=$(cmp expected.csv result/out.csv 2>&1)
+        else
+            found=$(judge $status)
+        fi
+        [ -e mark ] || break
+        [ -z "$found" ] || wrong="$wrong $n: $found;"
+    done
+    [ -z "$wrong$found" ] || echo "# $wrong $found"
+    [ -z "$wrong$found" ] && [ $status -eq 0 ] && [ $n -gt 4 ]
+    ok $? "$tool: each of $((n - 1)) $what fails in turn"
+}
+
+allocation()
+{
+    (export SEILWERK_FAULT_MARK=mark LD_PRELOAD="$faults" SEILWERK_FAIL_ALLOC="$1"; run "$2")
+}
+
+output()
+{
+    (export SEILWERK_FAULT_MARK=mark LD_PRELOAD="$faults" SEILWERK_FAIL_OUTPUT="$1"; run "$2")
+}
+
+if [ -z "${SEILWERK_SANITIZED:-}" ]; then
+    for tool in catenary modal diffverf print; do
+        each_fails 'requests for memory' $tool allocation
+        each_fails 'acts of writing' $tool output
+    done
+fi
+
+# The message itself must be written somewhere: stderr is a pipe, which has no limit of size.
+for tool in catenary modal diffverf; do
+    n=0
+    wrong=
+    status=1
+    while [ $status -ne 0 ] && [ $n -lt 200 ] && [ ${#wrong} -lt 200 ]; do
+        rm -rf result
+        mkdir result
+        message=$( (ulimit -f $n; run $tool) 2>&1)
+        status=$?
+        echo "$message" >err
+        [ $status -eq 0 ] || found=$(judge $status)
+        [ $status -eq 0 ] || [ -z "$found" ] || wrong="$wrong $n: $found;"
+        n=$((n + 1))
+    done
+    [ -z "$wrong" ] || echo "# $wrong"
+    [ -z "$wrong" ] && [ $n -gt 1 ] && [ -s result/out.csv ]
+    ok $? "$tool: the disk is full after 0 ... $((n - 2)) blocks"
+done
+
+for tool in catenary modal diffverf; do
+    runs 1 "$tool -o /dev/full" "$tool" -o /dev/full stay.ini
+    says '/dev/full: cannot be written: No space left on device' 'says so'
+    "$tool" stay.ini >/dev/full 2>err
+    [ $? -eq 1 ] && grep -q 'cannot be written' err
+    ok $? "$tool >/dev/full"
+    { "$tool" stay.ini 2>err; echo $? >status; } | true
+    [ "$(cat status)" -eq 0 ] || { [ "$(cat status)" -eq 141 ] && [ ! -s err ]; }
+    ok $? "$tool into a closed pipe ends quietly"
+    { env --ignore-signal=PIPE "$tool" stay.ini 2>err; echo $? >status; } | true
+    [ ! -s err ]
+    ok $? "$tool into a closed pipe, signal ignored by the parent, ends quietly"
+done
+
+# A long run, stopped in the middle.
+for signal in INT TERM; do
+    rm -rf result
+    mkdir result
+    env --default-signal=INT diffverf --set time.end=1e5 -o result/out.csv stay.ini 2>err &
+    pid=$!
+    wait_for result/out.csv.part
+    kill -s $signal $pid
+    wait $pid
+    status=$?
+    [ $status -eq "$(case $signal in INT) echo 130 ;; TERM) echo 143 ;; esac)" ]
+    ok $? "SIG$signal ends diffverf by that signal"
+    [ -z "$(ls result)" ]
+    ok $? 'and leaves nothing behind'
+    env --default-signal=INT diffverf --set time.end=1e5 stay.ini >rows 2>err &
+    pid=$!
+    wait_for rows
+    kill -s $signal $pid
+    wait $pid
+    [ "$(tail -c 1 rows | od -An -c | tr -d ' ')" = '\n' ] &&
+        [ -z "$(awk -F, 'NF != 11' rows)" ]
+    ok $? "SIG$signal: standard output ends with a complete row"
+done
+
+# Special files and links.
+mkfifo pipe
+catenary stay.ini >expected
+cat pipe >copy &
+runs 0 'into a FIFO' catenary -o pipe stay.ini
+wait
+same expected copy 'whole, and the FIFO is there still'
+[ -p pipe ]
+ok $? 'the FIFO remains one'
+runs 0 'into /dev/null' catenary -o /dev/null stay.ini
+[ -c /dev/null ]
+ok $? '/dev/null remains a device'
+echo old >target
+ln -s target link
+runs 0 'through a link' catenary -o link stay.ini
+same expected target 'the target is replaced'
+[ -L link ]
+ok $? 'the link remains one'
+runs 0 'over an older result' catenary -o target stay.ini
+same expected target 'the same again'
+finish
