@@ -76,7 +76,9 @@ static void start_march(const struct cable_case *c, const struct modes *modes, s
     if (c->time.start != START_REST)
         s = model_equilibrium(m->model, c->terms, u, V);
     if (s != SW_OK)
-        die(s, "equilibrium for the supports at t = 0: %s", status_text(s));
+        die(s,
+            "equilibrium for the supports at t = 0: %s; time.start = rest with a ramp does without",
+            status_text(s));
     s = march_start(m, V);
     if (s == SW_OK && c->time.start == START_MODE) {
         modes_unit_shape(m->model, modes, c->time.start_mode - 1, V);

@@ -254,7 +254,9 @@ static enum status resolve_damping(const struct reading *r, struct cable_case *c
         return judge(r, "damping", isnan(z[0]) ? "zeta" : "omega", "is missing");
     if (!isnan(z[0])) {
         if (!isnan(c->alpha) || !isnan(c->beta))
-            return judge(r, "damping", "zeta", "give either alpha and beta or zeta and omega");
+            return judge(r, "damping", "zeta",
+                         "give either alpha and beta or zeta and omega "
+                         "(--set damping.alpha= removes a key)");
         square = (w[1] - w[0]) * (w[1] + w[0]);
         if (square == 0)
             return judge(r, "damping", "omega", "the two must differ");

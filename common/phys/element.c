@@ -119,7 +119,8 @@ void element_force(const struct element *e, int terms, const double v[12], doubl
 }
 
 /* 3x3 tangent of the force density by w at one point, symmetric. */
-static void density_tangent(const struct material *m, int terms, const double w[3], double ret[9])
+static void density_tangent(const struct material *m, int terms, int definite, const double w[3],
+                            double ret[9])
 {
     double nonlinear = terms >= 1, cubic = terms >= 3;
     const double x[3] = {m->x1, m->x2, 0};
@@ -127,6 +128,8 @@ static void density_tangent(const struct material *m, int terms, const double w[
     double half_square = (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / 2;
     double diagonal = m->T + m->EA * (nonlinear * along + cubic * half_square);
 
+    if (definite && diagonal < m->T)
+        diagonal = m->T;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             ret[3 * i + j] = (i == j) * diagonal +
@@ -134,7 +137,8 @@ static void density_tangent(const struct material *m, int terms, const double w[
                                       cubic * w[i] * w[j]);
 }
 
-void element_tangent(const struct element *e, int terms, const double v[12], double ret[144])
+void element_tangent(const struct element *e, int terms, int definite, const double v[12],
+                     double ret[144])
 {
     for (int i = 0; i < 144; i++)
         ret[i] = 0;
@@ -143,7 +147,7 @@ void element_tangent(const struct element *e, int terms, const double v[12], dou
         double w[3], D[9];
 
         slopes(f1, v, w);
-        density_tangent(&e->m[q], terms, w, D);
+        density_tangent(&e->m[q], terms, definite, w, D);
         for (int j = 0; j < 12; j++)
             for (int i = 0; i < 12; i++) {
                 int ci = i % 6 / 2, cj = j % 6 / 2;

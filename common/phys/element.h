@@ -61,7 +61,10 @@ void element_force(const struct element *e, int terms, const double v[12], doubl
                    struct strain_watch *watch);
 
 /* Tangent stiffness 12x12 at v, column-major; v = 0: the linear K.  Exact for terms 0, 2, 3; for
- * terms = 1, whose force has no potential, that of terms = 2. */
-void element_tangent(const struct element *e, int terms, const double v[12], double ret[144]);
+ * terms = 1, whose force has no potential, that of terms = 2.  With definite set, the force EA
+ * gamma
+ * + T counts as T at least, which keeps the matrix positive definite where the cable is slack. */
+void element_tangent(const struct element *e, int terms, int definite, const double v[12],
+                     double ret[144]);
 
 #endif

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define MAX_STEPS 60
+#define MAX_STEPS 200
 
 /*
  * First guess: nodes and slopes from the exact static line between the moved supports, which hangs
@@ -42,25 +42,30 @@ static enum status guess(const struct model *m, const double b[6], double *V)
     return s;
 }
 
-/* dV = -K_t^{-1} F for the free unknowns; F is overwritten by it. */
-static enum status newton_step(const struct model *m, int terms, const int *keep, double *V,
-                               double *F, double *small)
+/* What the iteration works on; vectors over all nodes but d, which holds free unknowns. */
+struct iteration {
+    const struct model *m;
+    int terms, n_free;
+    int *keep;     /* numbers of the free unknowns */
+    double *V, *F; /* state and internal forces */
+    double *d;     /* step */
+};
+
+/* d = K_t^{-1} F for the free unknowns, with the tangent kept definite or not. */
+static enum status solve_step(struct iteration *it, int definite)
 {
-    int n_free = 6 * m->n;
     struct band K = {0}, K_free = {0};
     struct band_factor factor = {0};
-    enum status s = model_tangent(m, terms, V, &K);
+    enum status s = model_tangent(it->m, it->terms, definite, it->V, &K);
 
     if (s == SW_OK)
-        s = band_restrict(&K, keep, n_free, &K_free);
+        s = band_restrict(&K, it->keep, it->n_free, &K_free);
     if (s == SW_OK)
         s = band_cholesky(&K_free, &factor);
     if (s == SW_OK) {
-        for (int i = 0; i < n_free; i++)
-            small[i] = F[keep[i]];
-        band_solve(&factor, small);
-        for (int i = 0; i < n_free; i++)
-            V[keep[i]] -= small[i];
+        for (int i = 0; i < it->n_free; i++)
+            it->d[i] = it->F[it->keep[i]];
+        band_solve(&factor, it->d);
     }
     band_free(&K);
     band_free(&K_free);
@@ -68,41 +73,76 @@ static enum status newton_step(const struct model *m, int terms, const int *keep
     return s;
 }
 
-static double free_norm(const int *keep, int n_free, const double *F)
+/* Largest free force; slopes' entries are force times length: still comparable. */
+static double residual(const struct iteration *it)
 {
     double most = 0;
 
-    for (int i = 0; i < n_free; i++) /* slopes' entries are force times length: still comparable */
-        if (!(fabs(F[keep[i]]) <= most))
-            most = fabs(F[keep[i]]);
+    for (int i = 0; i < it->n_free; i++)
+        if (!(fabs(it->F[it->keep[i]]) <= most))
+            most = fabs(it->F[it->keep[i]]);
     return most;
 }
 
-static enum status iterate(const struct model *m, int terms, double *V, double *F, double *small,
-                           const int *keep)
+static double along_step(const struct iteration *it)
 {
-    double scale = hypot(m->line.H, fmax(fabs(m->line.V), fabs(m->line.W - m->line.V)));
-    double limit = 1e-10 * scale * fmax(1, m->h);
+    double sum = 0;
 
-    for (int step = 0; step <= MAX_STEPS; step++) {
-        enum status s;
+    for (int i = 0; i < it->n_free; i++)
+        sum += it->F[it->keep[i]] * it->d[i];
+    return sum;
+}
 
-        model_force(m, terms, V, F, NULL);
-        if (free_norm(keep, 6 * m->n, F) <= limit)
-            return SW_OK;
-        s = newton_step(m, terms, keep, V, F, small);
-        if (s != SW_OK)
-            return s;
+static void move(struct iteration *it, double f)
+{
+    for (int i = 0; i < it->n_free; i++)
+        it->V[it->keep[i]] -= f * it->d[i];
+    model_force(it->m, it->terms, it->V, it->F, NULL);
+}
+
+/*
+ * Newton step, halved while neither the residual nor the force along the step falls.  Where the
+ * tangent is not positive definite, the one that is kept so gives the direction.
+ */
+static enum status step(struct iteration *it)
+{
+    double before = residual(it), along;
+    enum status s = solve_step(it, 0);
+
+    if (s == SW_INDEFINITE)
+        s = solve_step(it, 1);
+    if (s != SW_OK)
+        return s;
+    along = along_step(it);
+    move(it, 1);
+    for (double f = 0.5; f > 1e-3; f /= 2) {
+        if (residual(it) < before || fabs(along_step(it)) < 0.9 * along)
+            break;
+        move(it, -f); /* back by half of what was gone */
     }
-    return SW_NOCONV;
+    return SW_OK;
+}
+
+static enum status iterate(struct iteration *it)
+{
+    const struct line *line = &it->m->line;
+    double scale = hypot(line->H, fmax(fabs(line->V), fabs(line->W - line->V)));
+    double limit = 1e-10 * scale * fmax(1, it->m->h);
+    enum status s = SW_OK;
+
+    model_force(it->m, it->terms, it->V, it->F, NULL);
+    for (int i = 0; i < MAX_STEPS && s == SW_OK && !(residual(it) <= limit); i++)
+        s = step(it);
+    return s == SW_OK && !(residual(it) <= limit) ? SW_NOCONV : s;
 }
 
 enum status model_equilibrium(const struct model *m, int terms, const double b[6], double *V)
 {
     size_t n_all = 6 * ((size_t)m->n + 1);
-    double *F = mem_doubles(2 * n_all);
+    double *work = mem_doubles(2 * n_all);
     int *keep = mem_zeroed(n_all, sizeof *keep), held[6];
-    enum status s = F && keep ? SW_OK : SW_NOMEM;
+    struct iteration it = {m, terms, 6 * m->n, keep, V, work, work + n_all};
+    enum status s = work && keep ? SW_OK : SW_NOMEM;
 
     for (size_t i = 0; i < n_all; i++)
         V[i] = 0;
@@ -113,9 +153,9 @@ enum status model_equilibrium(const struct model *m, int terms, const double b[6
         model_prescribed(m, held);
         for (int i = 0; i < 6; i++)
             V[held[i]] = b[i];
-        s = iterate(m, terms, V, F, F + n_all, keep);
+        s = iterate(&it);
     }
-    free(F);
+    free(work);
     free(keep);
     return s;
 }

@@ -87,8 +87,8 @@ enum status model_mass(const struct model *m, enum part part, struct band *ret)
     return SW_OK;
 }
 
-static enum status assemble(const struct model *m, enum part part, int terms, const double *V,
-                            struct band *ret)
+static enum status assemble(const struct model *m, enum part part, int terms, int definite,
+                            const double *V, struct band *ret)
 {
     static const double rest[12];
 
@@ -98,7 +98,7 @@ static enum status assemble(const struct model *m, enum part part, int terms, co
         struct element e = model_element(m, k);
         double E[144];
 
-        element_tangent(&e, terms, V ? V + 6 * (size_t)k : rest, E);
+        element_tangent(&e, terms, definite, V ? V + 6 * (size_t)k : rest, E);
         add(E, part, k, ret);
     }
     return SW_OK;
@@ -106,12 +106,13 @@ static enum status assemble(const struct model *m, enum part part, int terms, co
 
 enum status model_stiffness(const struct model *m, enum part part, struct band *ret)
 {
-    return assemble(m, part, 0, NULL, ret);
+    return assemble(m, part, 0, 0, NULL, ret);
 }
 
-enum status model_tangent(const struct model *m, int terms, const double *V, struct band *ret)
+enum status model_tangent(const struct model *m, int terms, int definite, const double *V,
+                          struct band *ret)
 {
-    return assemble(m, PART_ALL, terms, V, ret);
+    return assemble(m, PART_ALL, terms, definite, V, ret);
 }
 
 void model_free_unknowns(const struct model *m, enum part part, int *ret)

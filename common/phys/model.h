@@ -45,11 +45,12 @@ static inline int part_first(enum part part)
 }
 
 /* Mass and stiffness over all nodes, prescribed unknowns included, order part_width (n + 1), half
- * bandwidth 2 part_width - 1; tangent at V (all nodes, PART_ALL) or, with V NULL, linear K.
- * SW_NOMEM. */
+ * bandwidth 2 part_width - 1; tangent at V (PART_ALL), definite as in element_tangent.  SW_NOMEM.
+ */
 enum status model_mass(const struct model *m, enum part part, struct band *ret);
 enum status model_stiffness(const struct model *m, enum part part, struct band *ret);
-enum status model_tangent(const struct model *m, int terms, const double *V, struct band *ret);
+enum status model_tangent(const struct model *m, int terms, int definite, const double *V,
+                          struct band *ret);
 
 /* free[] = numbers of the part's free unknowns among its all-node numbers, ascending;
  * part_width n of them. */

@@ -87,7 +87,7 @@ static void tangent_is_derivative_of_force(void **state)
         double v[12], K[144];
 
         random_unknowns(v);
-        element_tangent(&e, terms[t], v, K);
+        element_tangent(&e, terms[t], 0, v, K);
         for (int j = 0; j < 12; j++) {
             double side[2][12] = {{0}}, keep = v[j], step = 1e-5;
 
@@ -247,7 +247,7 @@ static void stiffness_of_a_straight_element(void **state)
         hermite(h, gauss_at[q], f, e.slope[q]);
         material_at(&s, LAW_HOOKE, 50, &m[q]);
     }
-    element_tangent(&e, 0, rest, K);
+    element_tangent(&e, 0, 0, rest, K);
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++) {
             int I = i / 2 * 6 + i % 2, J = j / 2 * 6 + j % 2;
