@@ -273,9 +273,13 @@ enum status ini_fail(struct why *why, const struct ini *ini, const struct ini_en
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    if (e->line == 0)
+    if (e->line == 0) { /* the key stands in front already */
+        size_t key = e->key ? strlen(e->key) : 0;
+        int twice = key > 0 && strncmp(text, e->key, key) == 0 && strncmp(text + key, ": ", 2) == 0;
+
         return fail(why, SW_USAGE, "--set %s%s%s: %s", e->section, e->key ? "." : "",
-                    e->key ? e->key : "", text);
+                    e->key ? e->key : "", twice ? text + key + 2 : text);
+    }
     return fail(why, SW_FORMAT, "%.400s:%d: %s", ini->name, e->line, text);
 }
 

@@ -39,7 +39,8 @@ enum status ini_set(struct ini *ini, const char *assignment, struct why *why);
 /* The entry, or NULL. */
 const struct ini_entry *ini_find(const struct ini *ini, const char *section, const char *key);
 
-/* fail with "file:line: text", or "--set SECTION.KEY: text" for what ini_set brought. */
+/* fail with "file:line: text", or "--set SECTION.KEY: text" for what ini_set brought; a
+ * text that begins with "KEY: " loses that there. */
 __attribute__((format(printf, 4, 5))) enum status ini_fail(struct why *why, const struct ini *ini,
                                                            const struct ini_entry *e,
                                                            const char *format, ...);

@@ -103,6 +103,18 @@ static void tables(const struct opt_tool *tool, char *letters, struct option *na
     *names = (struct option){0};
 }
 
+/* What getopt did not take: optopt is the letter, or the code of a long option with a wrong '='. */
+__attribute__((noreturn)) static void refuse(const struct opt_tool *tool, const char *shown)
+{
+    const char letter[] = {'-', (char)optopt, '\0'};
+
+    if (strncmp(shown, "--", 2) != 0 && optopt > 0)
+        die(SW_USAGE, "option %s is not known (%s --help)", letter, tool->name);
+    if (optopt > 0)
+        die(SW_USAGE, "option %.*s takes no argument", (int)strcspn(shown, "="), shown);
+    die(SW_USAGE, "option %s is not known or not unique (%s --help)", shown, tool->name);
+}
+
 int opt_parse(const struct opt_tool *tool, int argc, char **argv)
 {
     struct option names[MAX_OPTIONS + 3];
@@ -124,17 +136,17 @@ int opt_parse(const struct opt_tool *tool, int argc, char **argv)
         }
         if (code == ':')
             die(SW_USAGE, "option %s: an argument is missing", shown);
-        if (code == '?') {
-            char letter[] = {'-', (char)optopt, '\0'};
-
-            die(SW_USAGE, "option %s is not known, not unique or takes no argument (%s --help)",
-                optopt > 0 && optopt < CODE_HELP ? letter : shown, tool->name);
-        }
+        if (code == '?')
+            refuse(tool, shown);
         for (const struct opt *o = tool->options; !is_end(o); o++)
             if (code == code_of(tool, o)) {
-                char letter[] = {'-', o->letter, '\0'};
+                char name[32];
 
-                take(o, o->name ? o->name : letter, optarg);
+                if (o->name)
+                    snprintf(name, sizeof name, "--%s", o->name);
+                else
+                    snprintf(name, sizeof name, "-%c", o->letter);
+                take(o, name, optarg);
             }
     }
     return optind;

@@ -1,0 +1,201 @@
+#!/bin/sh
+# Bad input: status 2, the exact message (tests/cli/golden/messages.txt), nothing written.
+# SEILWERK_GOLDEN=write writes the messages anew: look at the difference before you commit it.
+. "$(dirname "$0")/../cli/tap.sh"
+cd "$scratch" || exit 1
+golden=$here/../cli/golden/messages.txt
+sed 's/^end = .*/end = 0.05/; s/^elements = .*/elements = 2/' \
+    "$top/scripts/experiments/ben-ahin/case.ini" >stay.ini
+
+# said NAME: note the message of the last run under its name.
+said()
+{
+    printf '%s | %s\n' "$1" "$(tr '\n' '~' <err | sed 's/~$//')" >>messages
+}
+
+# refuses STATUS NAME COMMAND...
+refuses()
+{
+    refused=$2
+    runs "$@"
+    said "$refused"
+}
+
+# bad NAME LINES: a case made of stay.ini and more lines is refused.
+bad()
+{
+    cp stay.ini bad.ini
+    printf "$2" >>bad.ini
+    refuses 2 "$1" catenary bad.ini
+}
+
+# set NAME ASSIGNMENT [TOOL]
+set_()
+{
+    refuses 2 "$1" "${3:-catenary}" --set "$2" stay.ini
+}
+
+# Usage.
+refuses 2 'no operand' diffverf
+refuses 2 'two operands' catenary stay.ini stay.ini
+refuses 2 'unknown option' catenary --nonsense stay.ini
+refuses 2 'unknown letter' catenary -x stay.ini
+refuses 2 'missing argument' catenary stay.ini -o
+refuses 2 'argument where none belongs' catenary --summary=yes stay.ini
+refuses 2 'not a whole number' modal --modes 2.5 stay.ini
+refuses 2 'number too small' modal --modes 0 stay.ini
+refuses 2 'set without value' catenary --set cable.area stay.ini
+refuses 2 'set without section' catenary --set area=1 stay.ini
+
+# Files that are none.
+refuses 2 'missing file' catenary nothing.ini
+refuses 2 'directory' modal .
+: >empty.ini
+refuses 2 'empty case' catenary empty.ini
+printf '# nothing but this\n\n' >comments.ini
+refuses 2 'only comments' catenary comments.ini
+head -c 4096 /dev/zero >zero.ini
+refuses 2 'zero bytes' catenary zero.ini
+head -c 100 stay.ini >short.ini
+refuses 2 'cut short' catenary short.ini
+refuses 2 'the program itself' catenary "$(command -v catenary)"
+sed -i '$d' messages # its path and bytes differ from machine to machine
+
+# Form.
+bad 'unknown section' '[rope]\nlength = 3\n'
+bad 'unknown empty section' '[rope]\n'
+bad 'unknown key' '[cable]\ncolour = 3\n'
+bad 'key of another section' '[cable]\nspan = 3\n'
+bad 'double key' '[cable]\narea = 8.26e-3\n'
+bad 'no equals sign' '[mesh]\nlaw hooke\n'
+bad 'colon' '[mesh]\nlaw: hooke\n'
+bad 'no value' '[mesh]\nlaw =\n'
+bad 'open bracket' '[mesh\nlaw = hooke\n'
+bad 'text behind the bracket' '[mesh] law = hooke\n'
+bad 'no name' '[]\n'
+bad 'label where none belongs' '[mesh fine]\nlaw = hooke\n'
+bad 'long line' "[mesh]\nlaw = $(printf '%0200d' 1)\n"
+printf 'span = 3\n' >bad.ini
+refuses 2 'key before any section' catenary bad.ini
+
+# Values.
+set_ 'decimal comma' cable.area=1,5
+set_ 'too large for a double' cable.area=1e400
+set_ 'nan' cable.area=nan
+set_ 'infinity' cable.area=inf
+set_ 'hexadecimal' cable.area=0x10
+set_ 'trailing garbage' cable.area=1m2
+set_ 'two numbers' 'cable.area=1 2'
+set_ 'out of range' mesh.elements=0
+set_ 'absurd' mesh.elements=99999999999999999999
+set_ 'half an element' mesh.elements=2.5
+set_ 'negative length' cable.unstressed_length=-3
+set_ 'no span' supports.span=0
+set_ 'unknown word' mesh.law=rubber
+set_ 'missing key' cable.unstressed_length=
+set_ 'missing mass' cable.mass_per_length=
+set_ 'missing span' supports.span=
+set_ 'modulus without area' cable.area=
+set_ 'both stiffnesses' cable.axial_stiffness=1e9
+refuses 2 'slack without gravity' catenary --set gravity.acceleration=0 \
+    --set cable.unstressed_length=111 stay.ini
+set_ 'two amplitudes' 'motion deck.amplitude=1 2'
+set_ 'two phases' 'motion deck.phase=1 2'
+set_ 'motion without omega' 'motion deck.omega='
+set_ 'motion that --set begins by mistake' motion.omega=3
+set_ 'zeta without omega' 'damping.zeta=0.1 0.2'
+set_ 'zeta beside alpha' 'damping.omega=1 2'
+refuses 2 'damping that feeds' catenary --set damping.alpha= --set damping.beta= \
+    --set 'damping.zeta=0.001 0.1' --set 'damping.omega=1 2' stay.ini
+set_ 'probe outside' 'time.probes=0.5 1.5' diffverf
+set_ 'terms' nonlinear.terms=4 diffverf
+set_ 'start' time.start=running diffverf
+set_ 'start mode of no number' 'time.start=mode x 1' diffverf
+set_ 'scheme' time.scheme=alpha diffverf
+set_ 'neither mode nor node' disturbance.time=1 diffverf
+refuses 2 'node at a support' diffverf --set disturbance.node=2 \
+    --set 'disturbance.amplitude=0 0 1' stay.ini
+refuses 2 'three amplitudes of a mode' diffverf --set disturbance.mode=2 \
+    --set 'disturbance.amplitude=0 0 1' stay.ini
+
+# Outputs.
+refuses 1 'below a regular file' catenary -o stay.ini/line.csv stay.ini
+refuses 1 'a directory as output' catenary -o . stay.ini
+refuses 1 'in no directory' catenary -o nowhere/line.csv stay.ini
+refuses 2 'output is the input' catenary -o stay.ini stay.ini
+ln stay.ini hard.ini
+refuses 2 'output is the input by a hard link' catenary -o hard.ini stay.ini
+ln -s stay.ini soft.ini
+refuses 2 'output is the input by a soft link' catenary -o soft.ini stay.ini
+ln -s nowhere/there dangling.csv
+refuses 1 'a link to nowhere' catenary -o dangling.csv stay.ini
+runs 2 'output is stdin' sh -c 'catenary -o stay.ini - <stay.ini'
+said 'output is stdin'
+refuses 1 'model below a regular file' modal -d stay.ini/model stay.ini
+refuses 1 'a file for the model directory' modal -d stay.ini stay.ini
+modal -d model -o modes.csv stay.ini
+refuses 2 'model directory is the input' modal -d model model/case.ini
+refuses 2 'one file written twice' modal -d model -o model/omega.npy stay.ini
+cmp -s stay.ini hard.ini && [ -z "$(find . -name '*.part')" ]
+ok $? 'inputs are as they were, and nothing is left'
+
+# Closed streams.
+runs 2 'closed stdin' sh -c 'catenary - <&-'
+said 'closed stdin'
+runs 1 'closed stdout' sh -c 'catenary stay.ini >&- 2>err'
+said 'closed stdout'
+sh -c 'catenary nothing.ini 2>&-'
+[ $? -eq 2 ]
+ok $? 'closed stderr: the status tells'
+sh -c 'catenary -o line.csv stay.ini <&- >&- 2>&-'
+[ $? -eq 0 ] && [ "$(wc -l <line.csv)" -eq 4 ]
+ok $? 'all closed: the file is written'
+
+# Model directories.
+runs 0 'the model directory is good' diffverf -d model -o response.csv stay.ini
+refuses 2 'no model directory' diffverf -d nowhere -o response.csv stay.ini
+refuses 2 'model of another case' diffverf -d model --set cable.mass_per_length=65 stay.ini
+refuses 2 'model of another mesh' diffverf -d model --set mesh.elements=3 stay.ini
+refuses 2 'model of another law' diffverf -d model --set mesh.law=thesis stay.ini
+modal -d other -o modes.csv --set mesh.elements=3 stay.ini
+modal -d heavier -o modes.csv --set cable.mass_per_length=65 stay.ini
+for file in mass stiffness_support omega modes static; do
+    cp -r model mixed
+    cp other/$file.npy mixed/$file.npy
+    refuses 2 "mixed: $file of another mesh" diffverf -d mixed stay.ini
+    rm -r mixed
+done
+for file in mass mass_reaction omega modes; do
+    cp -r model mixed
+    cp heavier/$file.npy mixed/$file.npy
+    runs 2 "mixed: $file of another mass" diffverf -d mixed stay.ini
+    rm -r mixed
+done
+cp -r model torn
+wrong=
+tried=0
+for path in model/*.npy; do
+    size=$(wc -c <"$path")
+    for cut in 0 1 5 6 7 8 9 10 11 40 77 100 126 127 128 129 135 136 $((size - 1)) $((size - 8)); do
+        [ "$cut" -lt "$size" ] || continue
+        head -c "$cut" "$path" >"torn/${path#model/}"
+        diffverf -d torn -o torn.csv stay.ini 2>err
+        status=$?
+        [ $status -eq 2 ] && grep -q 'torn/.*: ' err && [ ! -e torn.csv ] || wrong="$wrong $path:$cut"
+        tried=$((tried + 1))
+    done
+    cp "$path" torn/
+done
+[ -z "$wrong" ] || echo "# $wrong"
+[ -z "$wrong" ] && [ $tried -gt 150 ]
+ok $? "model directories with a file cut short are refused ($tried places)"
+head -c 128 model/mass.npy >torn/mass.npy
+head -c 1152 /dev/zero | tr '\0' '\377' >>torn/mass.npy # NaN
+refuses 2 'a matrix of NaN' diffverf -d torn stay.ini
+
+sed "s|$scratch|.|g" messages >seen
+[ "${SEILWERK_GOLDEN:-}" != write ] || cp seen "$golden"
+diff "$golden" seen | sed 's/^/# /'
+cmp -s "$golden" seen
+ok $? 'the messages are those of tests/cli/golden/messages.txt'
+finish
