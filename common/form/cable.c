@@ -316,7 +316,7 @@ static double output_interval(const struct cable_case *c)
         omega = fmax(omega, c->motion[i].omega);
     if (omega == 0 && line_solve(&c->cable, &line) == SW_OK)
         omega = PI / c->cable.span * sqrt(line.H * c->cable.span / (c->cable.mu * c->cable.L0));
-    return 2 * PI / omega / 50;
+    return fmin(fmax(2 * PI / omega / 50, 1e-12), BIG); /* the key's range */
 }
 
 static enum status resolve_time(const struct reading *r, struct cable_case *c)

@@ -151,7 +151,7 @@ enum status line_solve(const struct cable *c, struct line *ret)
 {
     struct line s = {.cable = *c, .W = c->mu * c->g * c->L0}, best;
     struct piece p;
-    double r[2], rel, least;
+    double r[2], rel, least, longest;
 
     if (line_inadmissible(c))
         return SW_ADMISSIBLE;
@@ -170,8 +170,9 @@ enum status line_solve(const struct cable *c, struct line *ret)
     }
     *ret = best;
     ret->steps = s.steps;
-    /* round-off of the chord is that of the longer of cable and chord */
-    return least < 1e-13 * (1 + c->L0 / hypot(c->span, c->drop)) ? SW_OK : SW_NOCONV;
+    /* round-off of the chord is that of the longer of stretched cable and chord */
+    longest = c->L0 * (1 + (best.H + fabs(best.V) + s.W) / c->EA) / hypot(c->span, c->drop);
+    return least < 1e-13 * (1 + longest) ? SW_OK : SW_NOCONV;
 }
 
 void line_at(const struct line *s, double theta, struct line_point *ret)

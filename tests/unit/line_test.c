@@ -56,6 +56,25 @@ static void random_cables_close(void **state)
     below(worst, 1e-12);
 }
 
+/* Rubber: cables stretched to many times their length, which fuzzing found first. */
+static void soft_cables(void **state)
+{
+    uint64_t seed = 11;
+    (void)state;
+
+    for (int i = 0; i < 100000; i++) {
+        struct cable c = random_cable(&seed);
+        struct line s;
+        struct line_point end;
+        double chord = hypot(c.span, c.drop);
+
+        c.EA = c.mu * c.g * c.L0 * log_uniform(&seed, 1e-5, 10);
+        assert_int_equal(line_solve(&c, &s), SW_OK);
+        line_at(&s, c.L0, &end);
+        below(hypot(end.x1 - c.span, end.x2 - c.drop), 1e-12 * (chord + line_length(&s)));
+    }
+}
+
 /* Theory section 2, Table 6.1: midspan tension, sag, lambda^2 with m = mu, to the printed digits.
  */
 static void published_numbers(void **state)
@@ -255,8 +274,9 @@ static void inadmissible_is_refused(void **state)
     assert_null(line_inadmissible(&pont));
 }
 
-TEST_MAIN(cmocka_unit_test(random_cables_close), cmocka_unit_test(published_numbers),
-          cmocka_unit_test(points_of_a109), cmocka_unit_test(stiffness_by_differences),
-          cmocka_unit_test(stiffness_across), cmocka_unit_test(stiffness_of_the_catenary),
-          cmocka_unit_test(without_gravity), cmocka_unit_test(length_and_balance),
-          cmocka_unit_test(symmetries), cmocka_unit_test(inadmissible_is_refused))
+TEST_MAIN(cmocka_unit_test(random_cables_close), cmocka_unit_test(soft_cables),
+          cmocka_unit_test(published_numbers), cmocka_unit_test(points_of_a109),
+          cmocka_unit_test(stiffness_by_differences), cmocka_unit_test(stiffness_across),
+          cmocka_unit_test(stiffness_of_the_catenary), cmocka_unit_test(without_gravity),
+          cmocka_unit_test(length_and_balance), cmocka_unit_test(symmetries),
+          cmocka_unit_test(inadmissible_is_refused))
