@@ -22,7 +22,8 @@ enum status in_open(const char *path, struct in *ret, struct why *why)
         ret->f = fopen(path, "rb");
     }
     if (!ret->f || fstat(fileno(ret->f), &st) != 0)
-        return fail(why, errno == ENOMEM ? SW_NOMEM : SW_READ, "%s: cannot be opened: %s", ret->name, strerror(errno));
+        return fail(why, errno == ENOMEM ? SW_NOMEM : SW_READ, "%s: cannot be opened: %s",
+                    ret->name, strerror(errno));
     if (S_ISDIR(st.st_mode)) {
         in_close(ret);
         return fail(why, SW_READ, "%s: is a directory; a file is expected", path);

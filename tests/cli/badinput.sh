@@ -1,7 +1,7 @@
 #!/bin/sh
 # Bad input: status 2, the exact message (tests/cli/golden/messages.txt), nothing written.
 # SEILWERK_GOLDEN=write writes the messages anew: look at the difference before you commit it.
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 golden=$here/../cli/golden/messages.txt
 sed 's/^end = .*/end = 0.05/; s/^elements = .*/elements = 2/' \

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The comparator of the tests: what it takes as equal, what it must not.
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 
 # differs TEXT NAME: the last run printed the text as the place of the difference.

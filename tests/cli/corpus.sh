@@ -1,7 +1,7 @@
 #!/bin/sh
 # Every fuzz target goes through its corpus, past findings included; five seconds of fuzzing each
 # where clang has been used to build the targets (make fuzz builds them).
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 for program in "$SEILWERK_BUILD"/tests/fuzz_*_fuzz; do
     name=$(basename "$program" _fuzz)
     name=${name#fuzz_}

@@ -1,6 +1,6 @@
 #!/bin/sh
 # make install, uninstall and dist in a scratch directory.
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 [ -z "${SEILWERK_SANITIZED:-}" ] || {
     skip 'not under the sanitizers'
     finish

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Every example of the manual pages runs: lines that begin with "$ ", continued by "> ".
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 
 for page in "$top"/man/*.[1-9]; do

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The tools as a user meets them: columns, grids, starts, disturbances, warnings, errors.
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 cp "$top/scripts/experiments/ben-ahin/case.ini" stay.ini
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The model directory read by numpy and solved by scipy (tests/cross/modeldir.py).
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 
 python=
 for p in python3 /usr/bin/python3; do

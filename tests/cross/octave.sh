@@ -1,7 +1,7 @@
 #!/bin/sh
 # Arrays of modal, and others in all forms of .npy, read by scripts/npy2csv and scripts/npyread.m:
 # the same numbers; damaged files are refused.
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 
 runs 0 'modal writes a directory' modal --set mesh.elements=3 -d "$scratch/model" \
     -o "$scratch/modes.csv" "$top/scripts/experiments/ben-ahin/case.ini"

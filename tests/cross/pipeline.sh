@@ -1,7 +1,7 @@
 #!/bin/sh
 # scripts/single-cable from case to pictures; a case by pipe, by file and by --set gives the same
 # bytes; scripts/npy2csv shows what modal printed; scripts/published and the comparison tables.
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 
 cat >"$scratch/case.ini" <<END
 [cable]

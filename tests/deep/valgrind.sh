@@ -1,6 +1,6 @@
 #!/bin/sh
 # No wrong access and no leak under valgrind: the tools on a small case, the quick unit tests.
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 command -v valgrind >/dev/null || {
     skip 'valgrind is not installed'

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Each request for memory, each act of writing, each block of the disk fails in turn: never a crash,
 # a partial file or exit status 0 without the whole result.  Signals leave nothing half done.
-. "$(dirname "$0")/../cli/tap.sh"
+. "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 sed 's/^end = .*/end = 0.1/; s/^elements = .*/elements = 2/' \
     "$top/scripts/experiments/ben-ahin/case.ini" >stay.ini
