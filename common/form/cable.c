@@ -1,6 +1,6 @@
 /* Case file to structs and back: one table of keys serves both ways. */
 #include "form/cable.h"
-#include "num/mem.h"
+#include "form/keys.h"
 #include "sys/in.h"
 #include "sys/number.h"
 
@@ -11,23 +11,6 @@
 
 #define PI 3.14159265358979323846
 #define BIG 1e9
-
-enum kind {
-    NUMBERS, /* least..most numbers in [min, max] (doubles) */
-    WHOLE,   /* whole number in [min, max] (int) */
-    WORD,    /* one of words, its index (int) */
-    TEXT     /* up to 63 characters */
-};
-
-struct key {
-    const char *section, *name;
-    enum kind kind;
-    size_t at;       /* offset in struct cable_case, or in the item of a labelled section */
-    int least, most; /* how many numbers */
-    double min, max;
-    const char *words;    /* WORD: choices; NUMBERS: a word that stands for 0 */
-    const char *fallback; /* default as text, or NULL: none */
-};
 
 #define AT(member) offsetof(struct cable_case, member)
 #define IN_MOTION(member) offsetof(struct motion, member)
@@ -69,173 +52,20 @@ static const struct key keys[] = {
 };
 #define N_KEYS ((int)(sizeof keys / sizeof *keys))
 
-/* What reading needs everywhere. */
-struct reading {
-    const struct ini *ini;
-    struct why *why;
-};
-
-/* Length of a section's name without its label. */
-static size_t bare(const char *section)
-{
-    return strcspn(section, " ");
-}
-
-static int is_section(const char *section, const char *name)
-{
-    return bare(section) == strlen(name) && strncmp(section, name, strlen(name)) == 0;
-}
-
-static int is_labelled(const char *name)
-{
-    return is_section(name, "motion") || is_section(name, "disturbance");
-}
-
-/* One value of a key: text to the place to. */
-static enum status take_numbers(const struct reading *r, const struct ini_entry *e,
-                                const struct key *k, const char *text, double *to)
-{
-    char copy[INI_LINE_BYTES + 1], *word, *rest = NULL;
-    int n = 0;
-
-    for (int i = 0; i < k->most; i++)
-        to[i] = NAN;
-    if (k->words && strcmp(text, k->words) == 0) {
-        to[0] = 0;
-        return SW_OK;
-    }
-    snprintf(copy, sizeof copy, "%s", text);
-    for (word = strtok_r(copy, " \t", &rest); word; word = strtok_r(NULL, " \t", &rest)) {
-        const char *reason;
-
-        if (n == k->most)
-            return ini_fail(r->why, r->ini, e, "%s: more than %d number%s", k->name, k->most,
-                            k->most > 1 ? "s" : "");
-        reason = number_read(word, &to[n]);
-        if (reason)
-            return ini_fail(r->why, r->ini, e, "%s: '%s': %s", k->name, word, reason);
-        if (!(to[n] >= k->min && to[n] <= k->max))
-            return ini_fail(r->why, r->ini, e, "%s: %s is outside of %g to %g", k->name, word,
-                            k->min, k->max);
-        n++;
-    }
-    if (n < k->least)
-        return ini_fail(r->why, r->ini, e, "%s: %d numbers are expected", k->name, k->least);
-    return SW_OK;
-}
-
-static enum status take_word(const struct reading *r, const struct ini_entry *e,
-                             const struct key *k, const char *text, int *to)
-{
-    const char *p = k->words;
-    size_t length = strlen(text);
-
-    for (*to = 0; *p; (*to)++) {
-        size_t l = strcspn(p, " ");
-
-        if (l == length && strncmp(p, text, l) == 0)
-            return SW_OK;
-        p += l + (p[l] == ' ');
-    }
-    return ini_fail(r->why, r->ini, e, "%s: '%s' is not one of: %s", k->name, text, k->words);
-}
-
-static enum status take_whole(const struct reading *r, const struct ini_entry *e,
-                              const struct key *k, const char *text, int *to)
-{
-    long value = -1;
-    const char *reason = text ? integer_read(text, (long)k->min, (long)k->max, &value) : NULL;
-
-    if (reason)
-        return ini_fail(r->why, r->ini, e, "%s: '%s': %s (expected %.0f to %.0f)", k->name, text,
-                        reason, k->min, k->max);
-    *to = (int)value;
-    return SW_OK;
-}
-
-/* All keys of one section (with its label) into base. */
-static enum status take_section(const struct reading *r, const char *section, void *base)
-{
-    enum status s = SW_OK;
-
-    for (int i = 0; i < N_KEYS && s == SW_OK; i++) {
-        const struct key *k = &keys[i];
-        const struct ini_entry *e;
-        const char *text;
-        char *to = (char *)base + k->at;
-
-        if (!is_section(section, k->section))
-            continue;
-        e = ini_find(r->ini, section, k->name);
-        text = e ? e->value : k->fallback;
-        if (k->kind == WHOLE)
-            s = take_whole(r, e, k, text, (int *)(void *)to);
-        else if (k->kind == NUMBERS && text)
-            s = take_numbers(r, e, k, text, (double *)(void *)to);
-        else if (k->kind == NUMBERS)
-            for (int j = 0; j < k->most; j++)
-                ((double *)(void *)to)[j] = NAN;
-        else if (k->kind == WORD)
-            s = take_word(r, e, k, text, (int *)(void *)to);
-        else if (snprintf(to, 64, "%s", text) >= 64)
-            s = ini_fail(r->why, r->ini, e, "%s: longer than 63 bytes", k->name);
-    }
-    return s;
-}
-
-/* Unknown sections, keys and labels where none belong. */
-static enum status judge_names(const struct reading *r)
-{
-    for (int i = 0; i < r->ini->n_sections; i++) {
-        const struct ini_entry *e = &r->ini->section[i];
-        int known = 0;
-
-        for (int j = 0; j < N_KEYS; j++)
-            known |= is_section(e->section, keys[j].section);
-        if (!known)
-            return ini_fail(r->why, r->ini, e, "unknown section [%s]", e->section);
-        if (e->section[bare(e->section)] != '\0' && !is_labelled(e->section))
-            return ini_fail(r->why, r->ini, e, "section [%s] takes no label", e->section);
-        if (strlen(e->section) >= LABEL_BYTES)
-            return ini_fail(r->why, r->ini, e, "the label is longer than %d bytes", LABEL_BYTES);
-    }
-    for (int i = 0; i < r->ini->n; i++) {
-        const struct ini_entry *e = &r->ini->entry[i];
-        int known = 0;
-
-        for (int j = 0; j < N_KEYS; j++)
-            known |= is_section(e->section, keys[j].section) && strcmp(e->key, keys[j].name) == 0;
-        if (!known)
-            return ini_fail(r->why, r->ini, e, "unknown key '%s' in [%s]", e->key, e->section);
-    }
-    return SW_OK;
-}
-
-/* fail at an entry if it was given, else at the file: "file: [section] text". */
-static enum status judge(const struct reading *r, const char *section, const char *key,
-                         const char *text)
-{
-    const struct ini_entry *e = ini_find(r->ini, section, key);
-
-    if (e)
-        return ini_fail(r->why, r->ini, e, "%s: %s", key, text);
-    return fail(r->why, SW_FORMAT, "%.400s: [%s] %s: %s", r->ini->name, section, key, text);
-}
-
 static enum status resolve_cable(const struct reading *r, struct cable_case *c)
 {
     static const char *const one = "give either axial_stiffness or youngs_modulus and area";
     const char *reason;
 
     if (isnan(c->cable.L0))
-        return judge(r, "cable", "unstressed_length", "is missing");
+        return keys_fail(r, "cable", "unstressed_length", "is missing");
     if (isnan(c->cable.mu))
-        return judge(r, "cable", "mass_per_length", "is missing");
+        return keys_fail(r, "cable", "mass_per_length", "is missing");
     if (isnan(c->cable.span))
-        return judge(r, "supports", "span", "is missing");
+        return keys_fail(r, "supports", "span", "is missing");
     if (isnan(c->youngs_modulus) != isnan(c->area) ||
         isnan(c->youngs_modulus) != !isnan(c->cable.EA))
-        return judge(r, "cable", "axial_stiffness", one);
+        return keys_fail(r, "cable", "axial_stiffness", one);
     if (isnan(c->cable.EA))
         c->cable.EA = c->youngs_modulus * c->area;
     reason = line_inadmissible(&c->cable);
@@ -251,20 +81,20 @@ static enum status resolve_damping(const struct reading *r, struct cable_case *c
     double square;
 
     if (isnan(z[0]) != isnan(w[0]))
-        return judge(r, "damping", isnan(z[0]) ? "zeta" : "omega", "is missing");
+        return keys_fail(r, "damping", isnan(z[0]) ? "zeta" : "omega", "is missing");
     if (!isnan(z[0])) {
         if (!isnan(c->alpha) || !isnan(c->beta))
-            return judge(r, "damping", "zeta",
-                         "give either alpha and beta or zeta and omega "
-                         "(--set damping.alpha= removes a key)");
+            return keys_fail(r, "damping", "zeta",
+                             "give either alpha and beta or zeta and omega "
+                             "(--set damping.alpha= removes a key)");
         square = (w[1] - w[0]) * (w[1] + w[0]);
         if (square == 0)
-            return judge(r, "damping", "omega", "the two must differ");
+            return keys_fail(r, "damping", "omega", "the two must differ");
         c->alpha = 2 * w[0] * w[1] * (z[0] * w[1] - z[1] * w[0]) / square;
         c->beta = 2 * (z[1] * w[1] - z[0] * w[0]) / square;
         if (!(c->alpha >= 0 && c->beta >= 0))
-            return judge(r, "damping", "zeta",
-                         "these ratios need a negative alpha or beta, which would feed energy");
+            return keys_fail(r, "damping", "zeta",
+                             "these ratios need a negative alpha or beta, which would feed energy");
         z[0] = z[1] = w[0] = w[1] = NAN;
     }
     if (isnan(c->alpha))
@@ -277,11 +107,11 @@ static enum status resolve_damping(const struct reading *r, struct cable_case *c
 static enum status resolve_motion(const struct reading *r, const char *section, struct motion *m)
 {
     if (isnan(m->amplitude[0]))
-        return judge(r, section, "amplitude", "is missing");
+        return keys_fail(r, section, "amplitude", "is missing");
     if (isnan(m->omega))
-        return judge(r, section, "omega", "is missing");
+        return keys_fail(r, section, "omega", "is missing");
     if (!isnan(m->phase[1]) && isnan(m->phase[2]))
-        return judge(r, section, "phase", "give one number or three");
+        return keys_fail(r, section, "phase", "give one number or three");
     if (isnan(m->phase[1]))
         m->phase[1] = m->phase[2] = m->phase[0];
     return SW_OK;
@@ -291,17 +121,17 @@ static enum status resolve_disturbance(const struct reading *r, const char *sect
                                        const struct cable_case *c, const struct disturbance *d)
 {
     if ((d->mode < 0) == (d->node < 0))
-        return judge(r, section, "mode", "give either mode or node");
+        return keys_fail(r, section, "mode", "give either mode or node");
     if (isnan(d->amplitude[0]))
-        return judge(r, section, "amplitude", "is missing");
+        return keys_fail(r, section, "amplitude", "is missing");
     if (d->mode > 0 && !isnan(d->amplitude[1]))
-        return judge(r, section, "amplitude", "a mode takes one number");
+        return keys_fail(r, section, "amplitude", "a mode takes one number");
     if (d->node > 0 && isnan(d->amplitude[2]))
-        return judge(r, section, "amplitude", "a node takes three numbers");
+        return keys_fail(r, section, "amplitude", "a node takes three numbers");
     if (d->mode > 6 * c->elements)
-        return judge(r, section, "mode", "the mesh has fewer modes (six an element)");
+        return keys_fail(r, section, "mode", "the mesh has fewer modes (six an element)");
     if (d->node >= c->elements)
-        return judge(r, section, "node", "must lie between the supports, 1 to elements - 1");
+        return keys_fail(r, section, "node", "must lie between the supports, 1 to elements - 1");
     return SW_OK;
 }
 
@@ -329,7 +159,7 @@ static enum status resolve_time(const struct reading *r, struct cable_case *c)
     while (t->n_probes < MAX_PROBES && !isnan(t->probe[t->n_probes]))
         t->n_probes++;
     if (!isnan(t->end) && !(t->end > 0))
-        return judge(r, "time", "end", "must be positive");
+        return keys_fail(r, "time", "end", "must be positive");
     if (strcmp(t->start_text, "static") == 0)
         t->start = START_STATIC;
     else if (strcmp(t->start_text, "rest") == 0)
@@ -338,12 +168,13 @@ static enum status resolve_time(const struct reading *r, struct cable_case *c)
              !number_read(amplitude, &t->start_amplitude))
         t->start = START_MODE;
     else
-        return judge(r, "time", "start",
-                     "expected static, rest, or mode K AMPLITUDE with a mode that the mesh has");
+        return keys_fail(
+            r, "time", "start",
+            "expected static, rest, or mode K AMPLITUDE with a mode that the mesh has");
     t->start_mode = (int)k;
     for (int i = 0; i < c->n_motions && t->start == START_REST; i++)
         if (!(c->motion[i].ramp > 0))
-            return judge(r, "time", "start", "rest needs a ramp in each [motion]");
+            return keys_fail(r, "time", "start", "rest needs a ramp in each [motion]");
     if (isnan(t->output_every))
         t->output_every = output_interval(c);
     return SW_OK;
@@ -351,7 +182,7 @@ static enum status resolve_time(const struct reading *r, struct cable_case *c)
 
 /* The sections called name, with or without label, in order: items of size bytes into base. */
 static enum status take_labelled(const struct reading *r, const char *name, void *base, size_t size,
-                                 char label[][LABEL_BYTES], int *ret_n)
+                                 char label[][KEYS_TEXT_BYTES], int *ret_n)
 {
     int n = 0;
 
@@ -362,12 +193,12 @@ static enum status take_labelled(const struct reading *r, const char *name, void
 
         for (int j = 0; j < n; j++)
             known |= strcmp(label[j], e->section) == 0;
-        if (known || !is_section(e->section, name))
+        if (known || !section_is(e->section, name))
             continue;
         if (n == MAX_LABELLED)
             return ini_fail(r->why, r->ini, e, "more than %d sections [%s]", MAX_LABELLED, name);
         strcpy(label[n], e->section);
-        s = take_section(r, e->section, (char *)base + size * (size_t)n);
+        s = keys_take(r, e->section, (char *)base + size * (size_t)n);
         if (s != SW_OK)
             return s;
         n++;
@@ -378,12 +209,12 @@ static enum status take_labelled(const struct reading *r, const char *name, void
 
 static enum status take_all(const struct reading *r, struct cable_case *c)
 {
-    enum status s = judge_names(r);
+    enum status s = keys_judge_names(r);
 
     for (int i = 0; i < N_KEYS && s == SW_OK; i++)
-        if (!is_labelled(keys[i].section) &&
+        if (!section_labelled(r, keys[i].section) &&
             (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0))
-            s = take_section(r, keys[i].section, c);
+            s = keys_take(r, keys[i].section, c);
     if (s == SW_OK)
         s = take_labelled(r, "motion", c->motion, sizeof *c->motion, c->motion_label,
                           &c->n_motions);
@@ -405,7 +236,7 @@ enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
                       struct cable_case *ret, struct why *why)
 {
     struct ini ini;
-    struct reading r = {&ini, why};
+    struct reading r = {&ini, keys, N_KEYS, "motion disturbance", why};
     enum status s = ini_read(f, name, &ini, why);
 
     memset(ret, 0, sizeof *ret);
@@ -435,47 +266,6 @@ enum status case_load(const char *path, const struct opt_list *sets, struct cabl
     return s;
 }
 
-static void print_word(const char *words, int index, struct out *o)
-{
-    while (index-- > 0)
-        words += strcspn(words, " ") + 1;
-    fprintf(o->f, " %.*s", (int)strcspn(words, " "), words);
-}
-
-static void print_key(const struct key *k, const char *base, struct out *o)
-{
-    const char *at = base + k->at;
-    const double *x = (const double *)(const void *)at;
-
-    if ((k->kind == NUMBERS && isnan(x[0])) ||
-        (k->kind == WHOLE && *(const int *)(const void *)at < 0))
-        return;
-    fprintf(o->f, "%s =", k->name);
-    if (k->kind == WORD)
-        print_word(k->words, *(const int *)(const void *)at, o);
-    else if (k->kind == WHOLE)
-        fprintf(o->f, " %d", *(const int *)(const void *)at);
-    else if (k->kind == TEXT)
-        fprintf(o->f, " %s", at);
-    else if (k->words && x[0] == 0)
-        fprintf(o->f, " %s", k->words);
-    else
-        for (int i = 0; i < k->most && !isnan(x[i]); i++) {
-            putc(' ', o->f);
-            out_number(o, x[i]);
-        }
-    putc('\n', o->f);
-}
-
-/* heading: the section with its label. */
-static void print_section(const char *heading, const void *base, struct out *o)
-{
-    fprintf(o->f, "[%s]\n", heading);
-    for (int i = 0; i < N_KEYS; i++)
-        if (is_section(heading, keys[i].section))
-            print_key(&keys[i], base, o);
-}
-
 void case_print(const struct cable_case *c, struct out *o)
 {
     struct cable_case shown = *c;
@@ -489,12 +279,12 @@ void case_print(const struct cable_case *c, struct out *o)
             continue;
         if (strcmp(section, "motion") == 0)
             for (int j = 0; j < c->n_motions; j++)
-                print_section(c->motion_label[j], &c->motion[j], o);
+                keys_print(keys, N_KEYS, c->motion_label[j], &c->motion[j], o);
         else if (strcmp(section, "disturbance") == 0)
             for (int j = 0; j < c->n_disturbances; j++)
-                print_section(c->disturbance_label[j], &c->disturbance[j], o);
+                keys_print(keys, N_KEYS, c->disturbance_label[j], &c->disturbance[j], o);
         else
-            print_section(section, &shown, o);
+            keys_print(keys, N_KEYS, section, &shown, o);
     }
 }
 

@@ -5,14 +5,13 @@
 #ifndef SEILWERK_FORM_CABLE_H
 #define SEILWERK_FORM_CABLE_H
 
+#include "form/keys.h"
 #include "phys/march.h"
-#include "sys/ini.h"
 #include "sys/opt.h"
 #include "sys/out.h"
 
 #define MAX_PROBES 32
 #define MAX_LABELLED 16 /* sections of one kind with different labels */
-#define LABEL_BYTES 64
 
 enum time_start { START_STATIC, START_REST, START_MODE };
 
@@ -26,10 +25,10 @@ struct disturbance {
 };
 
 struct time_plan {
-    double end;          /* [s], NAN if not given */
-    int scheme;          /* 0: central differences */
-    double step;         /* [s], 0: auto */
-    char start_text[64]; /* as written */
+    double end;                       /* [s], NAN if not given */
+    int scheme;                       /* 0: central differences */
+    double step;                      /* [s], 0: auto */
+    char start_text[KEYS_TEXT_BYTES]; /* as written */
     enum time_start start;
     int start_mode; /* from 1 */
     double start_amplitude;
@@ -46,12 +45,12 @@ struct cable_case {
     double alpha, beta;            /* resolved */
     double zeta[2], zeta_omega[2]; /* NAN once resolved */
     struct motion motion[MAX_LABELLED];
-    char motion_label[MAX_LABELLED][LABEL_BYTES];
+    char motion_label[MAX_LABELLED][KEYS_TEXT_BYTES];
     int n_motions;
     struct time_plan time;
     int terms;
     struct disturbance disturbance[MAX_LABELLED];
-    char disturbance_label[MAX_LABELLED][LABEL_BYTES];
+    char disturbance_label[MAX_LABELLED][KEYS_TEXT_BYTES];
     int n_disturbances;
 };
 
