@@ -73,8 +73,8 @@ static int is_nan(const char *cell)
     return strcasecmp(cell + strspn(cell, "+-"), "nan") == 0;
 }
 
-static void compare_cells(struct worst *w, const struct csv *a, int i, const char *x,
-                          const char *y, const char *column)
+static void compare_cells(struct worst *w, const struct csv *a, int i, const char *x, const char *y,
+                          const char *column)
 {
     double p, q, excess;
 
@@ -203,8 +203,8 @@ static void compare_npy(struct worst *w, const struct in in[2])
     } else {
         for (size_t j = 0; j < a[0].rows * a[0].columns; j++)
             if (is_worst(w, excess_of(w, a[0].data[j], a[1].data[j])))
-                snprintf(w->text, sizeof w->text, "[%zu, %zu]: %.17g against %.17g",
-                         j % a[0].rows, j / a[0].rows, a[0].data[j], a[1].data[j]);
+                snprintf(w->text, sizeof w->text, "[%zu, %zu]: %.17g against %.17g", j % a[0].rows,
+                         j / a[0].rows, a[0].data[j], a[1].data[j]);
     }
     npy_free(&a[0]);
     npy_free(&a[1]);

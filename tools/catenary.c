@@ -44,7 +44,7 @@ static void print_summary(const struct line *s, struct out *o)
           o->f);
     out_row(o,
             (double[]){s->H, s->V, s->W - s->V, left.tension, mid.tension, right.tension,
-                       line_sag(s), line_length(s), line_lambda2(s, c->mu * c->L0 / c->span)},
+                       line_sag(s), line_length(s), line_lambda2(s, c->mu * c->L0 / line_chord(c))},
             9);
 }
 
@@ -67,5 +67,6 @@ int main(int argc, char **argv)
     else
         print_line(&line, c.elements, &o);
     must(out_close(&o, &why), &why);
+    case_free(&c);
     return 0;
 }

@@ -1,6 +1,7 @@
 /* modal: eigenfrequencies and modes of one cable; writes the model directory. */
 #include "form/modeldir.h"
 #include "form/start.h"
+#include "num/pi.h"
 
 #include <limits.h>
 
@@ -21,11 +22,9 @@ static const struct opt_tool tool = {
 
 static void print_modes(const struct modes *p, struct out *o)
 {
-    const double pi = 3.14159265358979323846;
-
     fputs("mode,omega_rad_s,frequency_Hz,period_s,plane\n", o->f);
     for (int i = 0; i < p->k; i++) {
-        const double row[] = {p->omega[i], p->omega[i] / (2 * pi), 2 * pi / p->omega[i]};
+        const double row[] = {p->omega[i], p->omega[i] / (2 * PI), 2 * PI / p->omega[i]};
 
         fprintf(o->f, "%d,", i + 1);
         for (int j = 0; j < 3; j++) {
@@ -56,6 +55,8 @@ int main(int argc, char **argv)
             MODES_MAX_ELEMENTS, c.elements);
     if (s != SW_OK)
         die(s, "modes of %d elements: %s", c.elements, status_text(s));
+    if (args.common.dir)
+        must(modeldir_make(args.common.dir, &why), &why);
     must(out_open(&o, args.common.out, &why), &why);
     if (args.common.dir)
         must(modeldir_write(args.common.dir, &c, &m, &modes, &why), &why);
@@ -63,5 +64,6 @@ int main(int argc, char **argv)
     must(out_close(&o, &why), &why);
     modes_free(&modes);
     model_free(&m);
+    case_free(&c);
     return 0;
 }

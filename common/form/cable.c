@@ -1,15 +1,17 @@
 /* Case file to structs and back: one table of keys serves both ways. */
 #include "form/cable.h"
 #include "form/keys.h"
+#include "num/mem.h"
+#include "num/pi.h"
 #include "sys/in.h"
 #include "sys/number.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 #define BIG 1e9
 
 #define AT(member) offsetof(struct cable_case, member)
@@ -74,6 +76,12 @@ static enum status resolve_cable(const struct reading *r, struct cable_case *c)
     return SW_OK;
 }
 
+/* a - b, 0 where nothing but round-off is left. */
+static double difference(double a, double b)
+{
+    return fabs(a - b) <= 4 * DBL_EPSILON * fmax(fabs(a), fabs(b)) ? 0 : a - b;
+}
+
 /* Two-point fit: zeta_i = alpha/(2 omega_i) + beta omega_i/2. */
 static enum status resolve_damping(const struct reading *r, struct cable_case *c)
 {
@@ -90,11 +98,14 @@ static enum status resolve_damping(const struct reading *r, struct cable_case *c
         square = (w[1] - w[0]) * (w[1] + w[0]);
         if (square == 0)
             return keys_fail(r, "damping", "omega", "the two must differ");
-        c->alpha = 2 * w[0] * w[1] * (z[0] * w[1] - z[1] * w[0]) / square;
-        c->beta = 2 * (z[1] * w[1] - z[0] * w[0]) / square;
+        c->alpha = 2 * w[0] * w[1] * difference(z[0] * w[1], z[1] * w[0]) / square;
+        c->beta = 2 * difference(z[1] * w[1], z[0] * w[0]) / square;
         if (!(c->alpha >= 0 && c->beta >= 0))
             return keys_fail(r, "damping", "zeta",
                              "these ratios need a negative alpha or beta, which would feed energy");
+        if (!(c->alpha <= BIG && c->beta <= BIG))
+            return keys_fail(r, "damping", "zeta",
+                             "these ratios need an alpha or beta above 1e+09");
         z[0] = z[1] = w[0] = w[1] = NAN;
     }
     if (isnan(c->alpha))
@@ -149,15 +160,29 @@ static double output_interval(const struct cable_case *c)
     return fmin(fmax(2 * PI / omega / 50, 1e-12), BIG); /* the key's range */
 }
 
+/* Count the probes; they must fit on one line when they are printed. */
+static enum status resolve_probes(const struct reading *r, struct time_plan *t)
+{
+    char text[NUMBER_SIZE];
+    size_t length = strlen("probes =");
+
+    for (; t->n_probes < MAX_PROBES && !isnan(t->probe[t->n_probes]); t->n_probes++)
+        length += 1 + number_print(t->probe[t->n_probes], text);
+    return length <= INI_LINE_BYTES
+               ? SW_OK
+               : keys_fail(r, "time", "probes", "the list, printed, is longer than 198 bytes");
+}
+
 static enum status resolve_time(const struct reading *r, struct cable_case *c)
 {
     struct time_plan *t = &c->time;
     char mode[64], amplitude[64], extra;
-    int n = sscanf(t->start_text, "mode %63s %63s %c", mode, amplitude, &extra);
+    int n = sscanf(t->start_text, "mode%*[ \t]%63s %63s %c", mode, amplitude, &extra);
     long k = 0;
+    enum status s = resolve_probes(r, t);
 
-    while (t->n_probes < MAX_PROBES && !isnan(t->probe[t->n_probes]))
-        t->n_probes++;
+    if (s != SW_OK)
+        return s;
     if (!isnan(t->end) && !(t->end > 0))
         return keys_fail(r, "time", "end", "must be positive");
     if (strcmp(t->start_text, "static") == 0)
@@ -180,12 +205,18 @@ static enum status resolve_time(const struct reading *r, struct cable_case *c)
     return SW_OK;
 }
 
-/* The sections called name, with or without label, in order: items of size bytes into base. */
-static enum status take_labelled(const struct reading *r, const char *name, void *base, size_t size,
-                                 char label[][KEYS_TEXT_BYTES], int *ret_n)
+/* The sections called name, with or without label, in order: items of size bytes and their labels,
+ * allocated. */
+static enum status take_labelled(const struct reading *r, const char *name, size_t size,
+                                 void **ret_items, char (**ret_label)[KEYS_TEXT_BYTES], int *ret_n)
 {
+    size_t room = (size_t)r->ini->n_sections;
+    char(*label)[KEYS_TEXT_BYTES] = *ret_label = mem_zeroed(room, sizeof *label);
+    char *items = *ret_items = mem_zeroed(room, size);
     int n = 0;
 
+    if (!label || !items)
+        return fail_plain(r->why, SW_NOMEM);
     for (int i = 0; i < r->ini->n_sections; i++) {
         const struct ini_entry *e = &r->ini->section[i];
         int known = 0;
@@ -195,10 +226,8 @@ static enum status take_labelled(const struct reading *r, const char *name, void
             known |= strcmp(label[j], e->section) == 0;
         if (known || !section_is(e->section, name))
             continue;
-        if (n == MAX_LABELLED)
-            return ini_fail(r->why, r->ini, e, "more than %d sections [%s]", MAX_LABELLED, name);
         strcpy(label[n], e->section);
-        s = keys_take(r, e->section, (char *)base + size * (size_t)n);
+        s = keys_take(r, e->section, items + size * (size_t)n);
         if (s != SW_OK)
             return s;
         n++;
@@ -209,18 +238,22 @@ static enum status take_labelled(const struct reading *r, const char *name, void
 
 static enum status take_all(const struct reading *r, struct cable_case *c)
 {
+    void *items = NULL;
     enum status s = keys_judge_names(r);
 
     for (int i = 0; i < N_KEYS && s == SW_OK; i++)
         if (!section_labelled(r, keys[i].section) &&
             (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0))
             s = keys_take(r, keys[i].section, c);
-    if (s == SW_OK)
-        s = take_labelled(r, "motion", c->motion, sizeof *c->motion, c->motion_label,
-                          &c->n_motions);
-    if (s == SW_OK)
-        s = take_labelled(r, "disturbance", c->disturbance, sizeof *c->disturbance,
-                          c->disturbance_label, &c->n_disturbances);
+    if (s == SW_OK) {
+        s = take_labelled(r, "motion", sizeof *c->motion, &items, &c->motion_label, &c->n_motions);
+        c->motion = items;
+    }
+    if (s == SW_OK) {
+        s = take_labelled(r, "disturbance", sizeof *c->disturbance, &items, &c->disturbance_label,
+                          &c->n_disturbances);
+        c->disturbance = items;
+    }
     if (s == SW_OK)
         s = resolve_cable(r, c);
     if (s == SW_OK)
@@ -249,8 +282,19 @@ enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
                  name);
     if (s == SW_OK)
         s = take_all(&r, ret);
+    if (s != SW_OK)
+        case_free(ret);
     ini_free(&ini);
     return s;
+}
+
+void case_free(struct cable_case *c)
+{
+    free(c->motion);
+    free(c->motion_label);
+    free(c->disturbance);
+    free(c->disturbance_label);
+    memset(c, 0, sizeof *c);
 }
 
 enum status case_load(const char *path, const struct opt_list *sets, struct cable_case *ret,

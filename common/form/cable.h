@@ -10,8 +10,7 @@
 #include "sys/opt.h"
 #include "sys/out.h"
 
-#define MAX_PROBES 32
-#define MAX_LABELLED 16 /* sections of one kind with different labels */
+#define MAX_PROBES 99 /* more do not fit on a line */
 
 enum time_start { START_STATIC, START_REST, START_MODE };
 
@@ -44,24 +43,28 @@ struct cable_case {
     int law;                       /* enum law */
     double alpha, beta;            /* resolved */
     double zeta[2], zeta_omega[2]; /* NAN once resolved */
-    struct motion motion[MAX_LABELLED];
-    char motion_label[MAX_LABELLED][KEYS_TEXT_BYTES];
+    struct motion *motion;
+    char (*motion_label)[KEYS_TEXT_BYTES]; /* section with label */
     int n_motions;
     struct time_plan time;
     int terms;
-    struct disturbance disturbance[MAX_LABELLED];
-    char disturbance_label[MAX_LABELLED][KEYS_TEXT_BYTES];
+    struct disturbance *disturbance;
+    char (*disturbance_label)[KEYS_TEXT_BYTES];
     int n_disturbances;
 };
 
 /* Read the case at path ("-": stdin), apply the --set assignments, judge and resolve it.
- * SW_FORMAT, SW_USAGE, SW_READ, SW_ADMISSIBLE, SW_NOMEM with file and line in why. */
+ * SW_FORMAT, SW_USAGE, SW_READ, SW_ADMISSIBLE, SW_NOMEM with file and line in why; *ret then owns
+ * nothing. */
 enum status case_load(const char *path, const struct opt_list *sets, struct cable_case *ret,
                       struct why *why);
 
 /* The same from an open file. */
 enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
                       struct cable_case *ret, struct why *why);
+
+/* Free what *c owns; a zeroed case is fine. */
+void case_free(struct cable_case *c);
 
 /* Print the resolved case in the form that case_load reads. */
 void case_print(const struct cable_case *c, struct out *o);

@@ -132,7 +132,7 @@ enum status keys_judge_names(const struct reading *r)
             return ini_fail(r->why, r->ini, e, "section [%s] takes no label", e->section);
         if (strlen(e->section) >= KEYS_TEXT_BYTES)
             return ini_fail(r->why, r->ini, e, "the label is longer than %d bytes",
-                            KEYS_TEXT_BYTES);
+                            KEYS_TEXT_BYTES - 1);
     }
     for (int i = 0; i < r->ini->n; i++) {
         const struct ini_entry *e = &r->ini->entry[i];

@@ -4,6 +4,7 @@
 #include "sys/npy.h"
 
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -143,6 +144,13 @@ static enum status write_files(struct out out[N_ARRAYS + 1], char *path[N_ARRAYS
     return s;
 }
 
+enum status modeldir_make(const char *dir, struct why *why)
+{
+    if (mkdir(dir, 0777) != 0 && errno != EEXIST)
+        return fail(why, SW_WRITE, "%s: cannot be made: %s", dir, strerror(errno));
+    return SW_OK;
+}
+
 enum status modeldir_write(const char *dir, const struct cable_case *c, const struct model *m,
                            const struct modes *modes, struct why *why)
 {
@@ -152,8 +160,6 @@ enum status modeldir_write(const char *dir, const struct cable_case *c, const st
     size_t n = (size_t)modes->n, k = (size_t)modes->k;
     enum status s;
 
-    if (mkdir(dir, 0777) != 0 && errno != EEXIST)
-        return fail(why, SW_WRITE, "%s: cannot be made: %s", dir, strerror(errno));
     s = content_new(m, &content);
     if (s != SW_OK)
         return fail_plain(why, s);
@@ -202,7 +208,7 @@ static enum status compare(const char *dir, int i, const struct array *a, struct
         double e = fabs(file.data[j] - a->data[j]);
 
         most = fmax(most, fabs(a->data[j]));
-        if (!(e <= error))
+        if (!(e <= error) && !isnan(error))
             error = e;
     }
     if (s == SW_OK && !(error <= 1e-12 * most))
@@ -214,28 +220,51 @@ static enum status compare(const char *dir, int i, const struct array *a, struct
     return s;
 }
 
-static double quadratic(const struct band *A, const double *x, double *work)
+/* A x, and the scalar product of x and y. */
+static void multiply(const struct band *A, const double *x, double *ret)
+{
+    for (int i = 0; i < A->n; i++)
+        ret[i] = 0;
+    band_multiply_add(A, 1, x, ret);
+}
+
+static double dot(int n, const double *x, const double *y)
 {
     double sum = 0;
 
-    for (int i = 0; i < A->n; i++)
-        work[i] = 0;
-    band_multiply_add(A, 1, x, work);
-    for (int i = 0; i < A->n; i++)
-        sum += x[i] * work[i];
+    for (int i = 0; i < n; i++)
+        sum += x[i] * y[i];
     return sum;
 }
 
-/* phi^T M phi = 1 and phi^T K phi = omega^2 within 1e-9, the latter of omega_max^2: round-off. */
-static int modes_fit(const struct content *c, double omega_max, const struct modes *p, double *work)
+/*
+ * Frequencies ascend; each mode solves K phi = omega^2 M phi within 1e-7 of the right side and the
+ * round-off of K phi, has phi^T M phi = 1, and is orthogonal to the one before it, which alone
+ * could be the same vector.  work: 2 n doubles.
+ */
+static int modes_fit(const struct content *c, const struct modes *p, double *work)
 {
-    for (int i = 0; i < p->k; i++) {
-        const double *phi = p->phi + (size_t)p->n * (size_t)i;
-        double mass = quadratic(&c->M.free, phi, work),
-               stiffness = quadratic(&c->K.free, phi, work);
+    const struct band *M = &c->M.free, *K = &c->K.free;
+    double *Kx = work, *Mx = work + p->n, stiffest = 0;
 
-        if (!(fabs(mass - 1) <= 1e-9) ||
-            !(fabs(stiffness - p->omega[i] * p->omega[i]) <= 1e-9 * omega_max * omega_max))
+    for (int i = 0; i < p->n; i++)
+        stiffest = fmax(stiffest, *band_at(K, i, i));
+    for (int k = 0; k < p->k; k++) {
+        const double *x = p->phi + (size_t)p->n * (size_t)k;
+        double square = p->omega[k] * p->omega[k], rest = 0, right = 0, most = 0;
+
+        multiply(K, x, Kx);
+        multiply(M, x, Mx);
+        for (int i = 0; i < p->n; i++) {
+            rest = fmax(rest, fabs(Kx[i] - square * Mx[i]));
+            right = fmax(right, square * fabs(Mx[i]));
+            most = fmax(most, fabs(x[i]));
+        }
+        if (!(p->omega[k] >= 0) || !(rest <= 1e-7 * right + 1e3 * DBL_EPSILON * stiffest * most) ||
+            !(fabs(dot(p->n, x, Mx) - 1) <= 1e-9))
+            return 0;
+        if (k > 0 &&
+            (!(p->omega[k] >= p->omega[k - 1]) || !(fabs(dot(p->n, x - p->n, Mx)) <= 1e-9)))
             return 0;
     }
     return 1;
@@ -245,7 +274,7 @@ static enum status read_modes(const char *dir, const struct model *m, const stru
                               struct modes *ret, struct why *why)
 {
     struct npy omega, phi = {0};
-    double *work = mem_doubles((size_t)6 * (size_t)m->n);
+    double *work = mem_doubles(2 * (size_t)6 * (size_t)m->n);
     enum status s = work ? read_array(dir, OMEGA, &omega, why) : fail_plain(why, SW_NOMEM);
 
     if (s != SW_OK) {
@@ -259,7 +288,7 @@ static enum status read_modes(const char *dir, const struct model *m, const stru
                        phi.columns > phi.rows || omega.columns != 1))
         s = fail(why, SW_FORMAT, "%s: omega.npy and modes.npy do not fit the mesh or each other",
                  dir);
-    if (s == SW_OK && !modes_fit(c, model_omega_max(m), ret, work))
+    if (s == SW_OK && !modes_fit(c, ret, work))
         s = fail(why, SW_FORMAT, "%s: omega.npy and modes.npy are not modes of its matrices", dir);
     if (s != SW_OK)
         modes_free(ret);
@@ -285,6 +314,8 @@ enum status modeldir_read(const char *dir, const struct cable_case *c, const str
         differs = case_model_difference(c, stored);
     if (differs)
         s = fail(why, SW_FORMAT, "%s: is the model of another case: %s differs", dir, differs);
+    if (stored)
+        case_free(stored);
     free(stored);
     free(path);
     if (s != SW_OK)

@@ -8,7 +8,10 @@
 #include "form/cable.h"
 #include "phys/modes.h"
 
-/* Write all files into dir, which is made if it is missing.  They are written beside their final
+/* Make the directory if it is missing.  SW_WRITE. */
+enum status modeldir_make(const char *dir, struct why *why);
+
+/* Write all files into dir.  They are written beside their final
  * names and renamed together, case.ini last.  SW_WRITE, SW_USAGE, SW_NOMEM. */
 enum status modeldir_write(const char *dir, const struct cable_case *c, const struct model *m,
                            const struct modes *modes, struct why *why);
@@ -16,8 +19,8 @@ enum status modeldir_write(const char *dir, const struct cable_case *c, const st
 /*
  * Read the modes of dir, after judging that the directory is whole and belongs to case c with model
  * m: same model keys, matrices equal to those assembled again within 1e-12 of the largest entry,
- * phi^T M phi = 1, phi^T K phi = omega^2.  A directory of another model, damaged or mixed:
- * SW_FORMAT; SW_READ, SW_NOMEM.
+ * modes that solve K phi = omega^2 M phi with phi^T M phi = 1.  A directory of another model,
+ * damaged or mixed: SW_FORMAT; SW_READ, SW_NOMEM.
  */
 enum status modeldir_read(const char *dir, const struct cable_case *c, const struct model *m,
                           struct modes *ret, struct why *why);

@@ -23,6 +23,7 @@ void start_case(const struct opt_tool *tool, struct opt_common *common, int argc
         must(out_open(&o, common->out, &why), &why);
         case_print(ret, &o);
         must(out_close(&o, &why), &why);
+        case_free(ret);
         exit(0);
     }
 }

@@ -42,8 +42,8 @@ static int low_end(int n, const double *lambda)
     double limit = lambda[0] > 0 ? sqrt(lambda[0]) * sqrt(lambda[n - 1]) : INFINITY;
     int p = 0;
 
-    while (p < n && lambda[p] <= limit)
-        p++;
+    while (p < n && (lambda[p] <= limit || (p > 0 && lambda[p] <= lambda[p - 1] * (1 + 1e-6))))
+        p++; /* never between two that are nearly equal: the polished ones must stay in order */
     return p;
 }
 

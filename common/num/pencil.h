@@ -12,8 +12,8 @@
  * A dense solution with M (LAPACK dsygvd) is exact to round-off of the largest eigenvalue only;
  * the lower end of the spectrum, up to the geometric mean of its bounds, is therefore polished by
  * one step of subspace iteration with the band factor of K and a Ritz projection, which leaves a
- * relative error of about epsilon sqrt(lambda_max/lambda_min).  Memory: up to 5 n^2 doubles at a
- * time; time grows with n^3.
+ * relative error of about epsilon sqrt(lambda_max/lambda_min).  Memory: 5 n^2 doubles, x included;
+ * time grows with n^3.
  *
  * SW_NOMEM; SW_INDEFINITE if M or K is not positive definite; SW_NOCONV.
  */

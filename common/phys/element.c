@@ -103,7 +103,7 @@ void element_force(const struct element *e, int terms, const double v[12], doubl
         along = m->x1 * w[0] + m->x2 * w[1];
         half_square = (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / 2;
         if (watch)
-            watch_point(watch, m, q, along + half_square);
+            watch_point(watch, m, e->first + q, along + half_square);
         /* force density EA [x'.w + (w.w)/2] x' + {T + EA [x'.w + (w.w)/2]} w, by parts */
         S = gauss_weight[q] * e->h * (m->T + m->EA * (t1 * along + t3 * half_square));
         Sx = gauss_weight[q] * e->h * m->EA * (along + t2 * half_square);
@@ -122,7 +122,7 @@ void element_force(const struct element *e, int terms, const double v[12], doubl
 static void density_tangent(const struct material *m, int terms, int definite, const double w[3],
                             double ret[9])
 {
-    double nonlinear = terms >= 1, cubic = terms >= 3;
+    double nonlinear = terms >= 1 || definite, cubic = terms >= 3 || definite;
     const double x[3] = {m->x1, m->x2, 0};
     double along = x[0] * w[0] + x[1] * w[1];
     double half_square = (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / 2;

@@ -43,6 +43,7 @@ void element_mass(double mu, double h, double ret[16]);
 struct element {
     double h;
     double slope[GAUSS][4];   /* f1 of hermite() */
+    int first;                /* number of the first Gauss point in the cable */
     const struct material *m; /* GAUSS points */
 };
 
@@ -50,7 +51,7 @@ struct element {
 struct strain_watch {
     double least_force;    /* least EA gamma + T [N]; negative: a slack place in compression */
     double most_stiffened; /* largest 3 EA gamma/(EA a^2 + T) */
-    int least_point;       /* Gauss point of least_force */
+    int least_point;       /* its Gauss point, counted over the cable */
 };
 
 /*
@@ -60,10 +61,12 @@ struct strain_watch {
 void element_force(const struct element *e, int terms, const double v[12], double F[12],
                    struct strain_watch *watch);
 
-/* Tangent stiffness 12x12 at v, column-major; v = 0: the linear K.  Exact for terms 0, 2, 3; for
- * terms = 1, whose force has no potential, that of terms = 2.  With definite set, the force EA
- * gamma
- * + T counts as T at least, which keeps the matrix positive definite where the cable is slack. */
+/*
+ * Tangent stiffness 12x12 at v, column-major; v = 0: the linear K.  Exact for terms 0, 2, 3; for
+ * terms = 1, whose force has no potential, that of terms = 2.  With definite set it is that of all
+ * terms, with T in place of a smaller EA gamma + T: positive definite also where the cable is
+ * slack.
+ */
 void element_tangent(const struct element *e, int terms, int definite, const double v[12],
                      double ret[144]);
 

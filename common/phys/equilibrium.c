@@ -2,6 +2,7 @@
 #include "num/mem.h"
 #include "phys/model.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -9,28 +10,27 @@
 
 /*
  * First guess: nodes and slopes from the exact static line between the moved supports, which hangs
- * in the vertical plane through them, minus those of the model's own line.
+ * in the vertical plane through them (ret), minus those of the model's own line.
  */
-static enum status guess(const struct model *m, const double b[6], double *V)
+static enum status guess(const struct model *m, const double b[6], double *V, struct line *ret)
 {
     struct cable moved = m->line.cable;
     double across = b[5] - b[2], along = moved.span + b[3] - b[0], cosine, sine;
-    struct line line;
     enum status s;
 
     moved.span = hypot(along, across);
     moved.drop += b[4] - b[1];
     cosine = along / moved.span;
     sine = across / moved.span;
-    s = line_solve(&moved, &line);
+    s = line_solve(&moved, ret);
     for (int k = 0; s == SW_OK && k <= m->n; k++) {
         double theta = m->line.cable.L0 * ((double)k / m->n), *v = V + 6 * (size_t)k;
         struct line_point p, p0;
         struct material d, d0;
 
-        line_at(&line, theta, &p);
+        line_at(ret, theta, &p);
         line_at(&m->line, theta, &p0);
-        material_at(&line, LAW_HOOKE, theta, &d);
+        material_at(ret, LAW_HOOKE, theta, &d);
         material_at(&m->line, LAW_HOOKE, theta, &d0);
         v[0] = b[0] + cosine * p.x1 - p0.x1;
         v[1] = cosine * d.x1 - d0.x1;
@@ -123,11 +123,24 @@ static enum status step(struct iteration *it)
     return SW_OK;
 }
 
-static enum status iterate(struct iteration *it)
+/* Residual that counts as zero: 1e-10 of the largest end force, before or after the motion, and the
+ * round-off of internal forces, EA epsilon times the slopes. */
+static double tolerance(const struct iteration *it, const struct line *moved)
 {
     const struct line *line = &it->m->line;
-    double scale = hypot(line->H, fmax(fabs(line->V), fabs(line->W - line->V)));
-    double limit = 1e-10 * scale * fmax(1, it->m->h);
+    double force = 0, slope = 0;
+
+    for (int i = 0; i < 2; i++, line = moved)
+        force = fmax(force, hypot(line->H, fmax(fabs(line->V), fabs(line->W - line->V))));
+    for (size_t i = 1; i < model_unknowns(it->m); i += 2)
+        slope = fmax(slope, fabs(it->V[i]));
+    return (1e-10 * force + 64 * DBL_EPSILON * it->m->line.cable.EA * slope * (1 + slope)) *
+           fmax(1, it->m->h);
+}
+
+static enum status iterate(struct iteration *it, const struct line *moved)
+{
+    double limit = tolerance(it, moved);
     enum status s = SW_OK;
 
     model_force(it->m, it->terms, it->V, it->F, NULL);
@@ -138,22 +151,23 @@ static enum status iterate(struct iteration *it)
 
 enum status model_equilibrium(const struct model *m, int terms, const double b[6], double *V)
 {
-    size_t n_all = 6 * ((size_t)m->n + 1);
+    size_t n_all = model_unknowns(m);
     double *work = mem_doubles(2 * n_all);
     int *keep = mem_zeroed(n_all, sizeof *keep), held[6];
     struct iteration it = {m, terms, 6 * m->n, keep, V, work, work + n_all};
+    struct line moved = m->line;
     enum status s = work && keep ? SW_OK : SW_NOMEM;
 
     for (size_t i = 0; i < n_all; i++)
         V[i] = 0;
     if (s == SW_OK && terms > 0)
-        s = guess(m, b, V);
+        s = guess(m, b, V, &moved);
     if (s == SW_OK) {
         model_free_unknowns(m, PART_ALL, keep);
         model_prescribed(m, held);
         for (int i = 0; i < 6; i++)
             V[held[i]] = b[i];
-        s = iterate(&it);
+        s = iterate(&it, &moved);
     }
     free(work);
     free(keep);

@@ -14,6 +14,11 @@
 
 #define MAX_STEPS 200
 
+double line_chord(const struct cable *c)
+{
+    return hypot(c->span, c->drop);
+}
+
 /* T - v for T = hypot(H, v). */
 static double excess(double H, double T, double v)
 {
@@ -87,7 +92,7 @@ const char *line_inadmissible(const struct cable *c)
         return "the span must be positive";
     if (!(c->g >= 0 && isfinite(c->g)))
         return "the acceleration of gravity must not be negative";
-    if (c->g == 0 && !(hypot(c->span, c->drop) > c->L0))
+    if (c->g == 0 && !(line_chord(c) > c->L0))
         return "without gravity the chord must be longer than the unstressed length";
     return NULL;
 }
@@ -113,7 +118,7 @@ static double residual(const struct cable *c, double W, double H, double V, stru
     chord(p, c->EA, H, V, ret);
     ret[0] -= c->span;
     ret[1] -= c->drop;
-    return hypot(ret[0], ret[1]) / hypot(c->span, c->drop);
+    return hypot(ret[0], ret[1]) / line_chord(c);
 }
 
 /*
@@ -171,7 +176,7 @@ enum status line_solve(const struct cable *c, struct line *ret)
     *ret = best;
     ret->steps = s.steps;
     /* round-off of the chord is that of the longer of stretched cable and chord */
-    longest = c->L0 * (1 + (best.H + fabs(best.V) + s.W) / c->EA) / hypot(c->span, c->drop);
+    longest = c->L0 * (1 + (best.H + fabs(best.V) + s.W) / c->EA) / line_chord(c);
     return least < 1e-13 * (1 + longest) ? SW_OK : SW_NOCONV;
 }
 
@@ -232,7 +237,7 @@ double line_length(const struct line *s)
 double line_lambda2(const struct line *s, double m)
 {
     const struct cable *c = &s->cable;
-    double d = hypot(c->span, c->drop), cosine = c->span / d;
+    double d = line_chord(c), cosine = c->span / d;
     double T = s->H / cosine;             /* chord tension */
     double q = m * c->g * cosine * d / T; /* m g cos(angle) Lc/Tc */
     double Le = d * (1 + q * q / 8);

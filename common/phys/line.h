@@ -55,8 +55,12 @@ double line_sag(const struct line *s);
 /* Stretched length [m], the integral of a over theta. */
 double line_length(const struct line *s);
 
-/* Irvine's lambda^2 for the mass m [kg] per metre of span: mu L0/span for frequencies; the thesis
- * puts mu.  Inclined cables by chord and chord tension (theory section 2). */
+/* Irvine's lambda^2 = (m g l/H)^2 l EA/(H Le), Le = l (1 + (m g l/H)^2/8), for the mass m [kg] per
+ * metre of chord: mu L0/chord for frequencies; the thesis puts mu.  Inclined cables: the chord for
+ * l, its tension for H, and gravity across it. */
 double line_lambda2(const struct line *s, double m);
+
+/* Length of the chord [m]. */
+double line_chord(const struct cable *c);
 
 #endif

@@ -10,11 +10,6 @@ double march_critical_step(const struct model *m)
     return 2 / model_omega_max(m);
 }
 
-static size_t n_all(const struct model *m)
-{
-    return 6 * ((size_t)m->n + 1);
-}
-
 /* part := all, or all := part, for the unknowns that the part takes in. */
 static void gather(const struct march_part *p, const double *all, double *part)
 {
@@ -42,24 +37,25 @@ static int support_component(const struct march_part *p, int i)
     return i / a_side * 3 + part_first(p->part) / 2 + i % a_side;
 }
 
-/* Factor of A with unit rows and columns for the held unknowns. */
-static enum status factor_held(struct march_part *p)
+/* Factor of B (A or M) with unit rows and columns for the held unknowns. */
+static enum status factor_held(const struct march_part *p, const struct band *B,
+                               struct band_factor *ret)
 {
-    struct band A = p->A;
+    struct band copy = *B;
     enum status s;
 
-    A.a = mem_copy(p->A.a, sizeof(double) * (size_t)A.n * (size_t)(A.kd + 1));
-    if (!A.a)
+    copy.a = mem_copy(B->a, sizeof(double) * (size_t)B->n * (size_t)(B->kd + 1));
+    if (!copy.a)
         return SW_NOMEM;
     for (int i = 0; i < p->n_held; i++) {
         int b = p->held[i];
 
-        for (int j = b - A.kd; j <= b + A.kd; j++)
-            if (j >= 0 && j < A.n)
-                *band_at(&A, j > b ? j : b, j > b ? b : j) = j == b;
+        for (int j = b - B->kd; j <= b + B->kd; j++)
+            if (j >= 0 && j < B->n)
+                *band_at(&copy, j > b ? j : b, j > b ? b : j) = j == b;
     }
-    s = band_cholesky(&A, &p->factor);
-    band_free(&A);
+    s = band_cholesky(&copy, ret);
+    band_free(&copy);
     return s;
 }
 
@@ -86,7 +82,7 @@ static enum status part_new(const struct model *m, const struct march_options *o
     if (s == SW_OK)
         s = band_combine(1 / (dt * dt), &ret->M, 1 / (2 * dt), &ret->C, &ret->A);
     if (s == SW_OK)
-        s = factor_held(ret);
+        s = factor_held(ret, &ret->A, &ret->factor);
     band_free(&K);
     ret->x = mem_doubles((size_t)width * ((size_t)m->n + 1));
     ret->d = mem_doubles((size_t)width * ((size_t)m->n + 1));
@@ -101,10 +97,10 @@ enum status march_new(const struct model *m, const struct march_options *o, stru
 
     *ret = (struct march){.model = m, .options = *o, .slack_time = -1};
     ret->omega_max = model_omega_max(m);
-    ret->V = mem_doubles(n_all(m));
-    ret->D = mem_doubles(n_all(m));
-    ret->F = mem_doubles(n_all(m));
-    ret->dd = mem_doubles(n_all(m));
+    ret->V = mem_doubles(model_unknowns(m));
+    ret->D = mem_doubles(model_unknowns(m));
+    ret->F = mem_doubles(model_unknowns(m));
+    ret->dd = mem_doubles(model_unknowns(m));
     s = ret->V && ret->D && ret->F && ret->dd ? SW_OK : SW_NOMEM;
     if (s == SW_OK)
         s = part_new(m, o, PART_PLANE, &ret->part[0]);
@@ -172,27 +168,21 @@ static void right_side(const struct march *m, struct march_part *p)
 }
 
 /*
- * Increment before the first step, D = V(0) - V(-dt) = dt V' - dt^2/2 V'', with V'' from the
- * equations of motion: the march's own solution for dd with A = M/dt^2 and D = V' dt.
+ * Acceleration V'' of a part into m->dd, from M V'' = -F - C V' with D = V' dt and the supports'
+ * accelerations a.
  */
-static enum status first_increment(struct march *m, struct march_part *p, const double a[6])
+static enum status first_acceleration(struct march *m, struct march_part *p, const double a[6])
 {
-    double dt = m->options.dt, dd[6];
-    struct march_part q = *p;
-    enum status s = band_combine(1 / (dt * dt), &p->M, 0, &p->M, &q.A);
+    struct band_factor factor;
+    enum status s = factor_held(p, &p->M, &factor);
 
-    if (s == SW_OK)
-        s = factor_held(&q);
-    if (s == SW_OK) {
-        for (int i = 0; i < 6; i++)
-            dd[i] = dt * dt * a[i];
-        right_side(m, &q);
-        solve_held(&q, &q.A, &q.factor, dd);
-        scatter(&q, q.x, m->dd);
-        band_factor_free(&q.factor);
-    }
-    band_free(&q.A);
-    return s;
+    if (s != SW_OK)
+        return s;
+    right_side(m, p);
+    solve_held(p, &p->M, &factor, a);
+    scatter(p, p->x, m->dd);
+    band_factor_free(&factor);
+    return SW_OK;
 }
 
 enum status march_start(struct march *m, const double *V0)
@@ -205,7 +195,7 @@ enum status march_start(struct march *m, const double *V0)
     motion_sum(m->options.motion, m->options.n_motions, -dt, past, NULL, NULL);
     model_prescribed(m->model, held);
     m->step = 0;
-    for (size_t i = 0; i < n_all(m->model); i++) {
+    for (size_t i = 0; i < model_unknowns(m->model); i++) {
         m->V[i] = V0[i];
         m->D[i] = 0;
     }
@@ -214,11 +204,11 @@ enum status march_start(struct march *m, const double *V0)
         m->D[held[i]] = dt * v[i];
     }
     model_force(m->model, m->options.terms, m->V, m->F, NULL);
-    s = first_increment(m, &m->part[0], a);
+    s = first_acceleration(m, &m->part[0], a);
     if (s == SW_OK)
-        s = first_increment(m, &m->part[1], a);
-    for (size_t i = 0; i < n_all(m->model); i++)
-        m->D[i] -= m->dd[i] / 2;
+        s = first_acceleration(m, &m->part[1], a);
+    for (size_t i = 0; i < model_unknowns(m->model); i++)
+        m->D[i] -= dt * dt / 2 * m->dd[i]; /* V(0) - V(-dt) = dt V' - dt^2/2 V'' */
     for (int i = 0; i < 6; i++)
         m->D[held[i]] = u[i] - past[i];
     return s;
@@ -234,7 +224,7 @@ void march_kick(struct march *m, enum kick kind, double size, const double *shap
     model_prescribed(m->model, held);
     for (int i = 0; i < 6; i++)
         keep[i] = to[held[i]];
-    for (size_t i = 0; i < n_all(m->model); i++)
+    for (size_t i = 0; i < model_unknowns(m->model); i++)
         to[i] += factor * shape[i];
     for (int i = 0; i < 6; i++)
         to[held[i]] = keep[i];
@@ -300,7 +290,7 @@ void march_support_force(const struct march *m, double ret[6])
 
 void march_advance(struct march *m)
 {
-    for (size_t i = 0; i < n_all(m->model); i++) {
+    for (size_t i = 0; i < model_unknowns(m->model); i++) {
         m->D[i] += m->dd[i];
         m->V[i] += m->D[i];
     }

@@ -36,7 +36,7 @@ void model_free(struct model *m)
 
 struct element model_element(const struct model *m, int k)
 {
-    struct element e = {.h = m->h, .m = &m->material[GAUSS * k]};
+    struct element e = {.h = m->h, .first = GAUSS * k, .m = &m->material[GAUSS * k]};
 
     for (int q = 0; q < GAUSS; q++)
         for (int i = 0; i < 4; i++)
@@ -169,15 +169,12 @@ void model_force(const struct model *m, int terms, const double *V, double *F,
 
     if (watch)
         *watch = (struct strain_watch){.least_force = INFINITY, .most_stiffened = -INFINITY};
-    for (size_t i = 0; i < 6 * ((size_t)m->n + 1); i++)
+    for (size_t i = 0; i < model_unknowns(m); i++)
         F[i] = 0;
     for (int k = 0; k < m->n; k++) {
-        double before = watch ? watch->least_force : 0;
-
-        e.m = &m->material[GAUSS * k];
+        e.first = GAUSS * k;
+        e.m = &m->material[e.first];
         element_force(&e, terms, V + 6 * (size_t)k, F + 6 * (size_t)k, watch);
-        if (watch && !(watch->least_force == before))
-            watch->least_point += GAUSS * k;
     }
 }
 

@@ -30,6 +30,12 @@ enum status model_new(const struct cable *c, enum law law, int n, struct model *
 
 void model_free(struct model *m);
 
+/* Length of a vector over all nodes, 6 (n + 1). */
+static inline size_t model_unknowns(const struct model *m)
+{
+    return 6 * ((size_t)m->n + 1);
+}
+
 /* Element k, 0 <= k < n. */
 struct element model_element(const struct model *m, int k);
 
@@ -71,8 +77,8 @@ enum status model_partition(const struct model *m, const struct band *all, struc
 
 void partition_free(struct partition *p);
 
-/* F = internal forces at V over all nodes; watch as in element_force, started here, with
- * least_point counted over all Gauss points of the cable; may be NULL. */
+/* F = internal forces at V over all nodes; watch as in element_force, started here; may be
+ * NULL. */
 void model_force(const struct model *m, int terms, const double *V, double *F,
                  struct strain_watch *watch);
 
@@ -90,7 +96,8 @@ double model_omega_max(const struct model *m);
 /*
  * V = static equilibrium for the prescribed displacements b of the supports (terms as in
  * element_force).  Newton steps from the exact static line between the moved supports; the
- * residual falls below 1e-10 of the largest static end force.  SW_ADMISSIBLE: no such line;
+ * residual falls below 1e-10 of the largest end force, times h where that is above 1 m, and
+ * round-off.  SW_ADMISSIBLE: no such line;
  * SW_INDEFINITE, SW_NOCONV, SW_NOMEM.
  */
 enum status model_equilibrium(const struct model *m, int terms, const double b[6], double *V);

@@ -139,22 +139,25 @@ void modes_free(struct modes *p)
     *p = (struct modes){0};
 }
 
-void modes_unit_shape(const struct model *m, const struct modes *p, int i, double *V)
+enum status modes_unit_shape(const struct model *m, const struct modes *p, int i, double *V)
 {
     const double *phi = p->phi + (size_t)p->n * (size_t)i;
-    double most = 0;
+    double most = 0, steepest = 0;
 
     for (int k = 0; k <= m->n; k++) {
-        double *v = V + 6 * (size_t)k, square = 0;
+        double *v = V + 6 * (size_t)k;
 
         for (int c = 0; c < 6; c++) {
             int at_support = k == 0 || k == m->n;
 
             v[c] = at_support && c % 2 == 0 ? 0 : *phi++;
-            square += c % 2 == 0 ? v[c] * v[c] : 0;
         }
-        most = fmax(most, sqrt(square));
+        most = fmax(most, sqrt(v[0] * v[0] + v[2] * v[2] + v[4] * v[4]));
+        steepest = fmax(steepest, sqrt(v[1] * v[1] + v[3] * v[3] + v[5] * v[5]));
     }
-    for (size_t j = 0; most > 0 && j < 6 * ((size_t)m->n + 1); j++)
+    if (!(most > 1e-3 * m->h * steepest)) /* others have 1e-2 and more, those with nodes 3e-4 */
+        return SW_ADMISSIBLE;
+    for (size_t j = 0; j < model_unknowns(m); j++)
         V[j] /= most;
+    return SW_OK;
 }

@@ -21,13 +21,14 @@ struct modes {
 /* Elements up to which all modes can be solved for at once: some 3 GB and two minutes. */
 #define MODES_MAX_ELEMENTS 2000
 
-/* The k lowest modes (1 <= k <= 6 n), by solving for all.  Memory about 2.5 (6 n)^2 doubles.
- * SW_ADMISSIBLE: more than MODES_MAX_ELEMENTS; SW_NOMEM, SW_INDEFINITE, SW_NOCONV. */
+/* The k lowest modes (1 <= k <= 6 n), by solving for all.  Memory: 5 (4 n)^2 doubles at the
+ * most.  SW_ADMISSIBLE: more than MODES_MAX_ELEMENTS; SW_NOMEM, SW_INDEFINITE, SW_NOCONV. */
 enum status modes_all(const struct model *m, int k, struct modes *ret);
 
 void modes_free(struct modes *p);
 
-/* V (all nodes) = mode i scaled so that its largest nodal displacement is 1 m. */
-void modes_unit_shape(const struct model *m, const struct modes *p, int i, double *V);
+/* V (all nodes) = mode i scaled so that its largest nodal displacement is 1 m.  SW_ADMISSIBLE: the
+ * mode has its own nodes at those of the mesh, and moves between them only. */
+enum status modes_unit_shape(const struct model *m, const struct modes *p, int i, double *V);
 
 #endif

@@ -43,6 +43,11 @@ int err_verbose(void)
     return is_verbose;
 }
 
+int err_quiet(void)
+{
+    return is_quiet;
+}
+
 static void say(const char *format, va_list args)
 {
     fprintf(stderr, "%s: ", tool);

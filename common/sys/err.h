@@ -27,6 +27,7 @@ enum status fail_plain(struct why *w, enum status s);
 void err_tool(const char *name);
 void err_level(int quiet, int verbose);
 int err_verbose(void);
+int err_quiet(void);
 
 __attribute__((format(printf, 1, 2))) void warn(const char *format, ...);
 __attribute__((format(printf, 1, 2))) void note(const char *format, ...);

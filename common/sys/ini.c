@@ -212,6 +212,24 @@ static int is_section_name(char *name)
     return strlen(name) == length && !strchr(name, ']');
 }
 
+static void drop(struct ini_entry *list, int *n, struct ini_entry *e)
+{
+    free_entry(e);
+    memmove(e, e + 1, sizeof *e * (size_t)(list + *n - (e + 1)));
+    --*n;
+}
+
+/* A section that has lost its last key is gone, too. */
+static void drop_empty_section(struct ini *ini, const char *name)
+{
+    for (int i = 0; i < ini->n; i++)
+        if (strcmp(ini->entry[i].section, name) == 0)
+            return;
+    for (int i = ini->n_sections - 1; i >= 0; i--)
+        if (strcmp(ini->section[i].section, name) == 0)
+            drop(ini->section, &ini->n_sections, &ini->section[i]);
+}
+
 enum status ini_set(struct ini *ini, const char *assignment, struct why *why)
 {
     char copy[INI_LINE_BYTES + 1];
@@ -246,9 +264,8 @@ enum status ini_set(struct ini *ini, const char *assignment, struct why *why)
         e->value = changed;
         e->line = 0;
     } else if (e) {
-        free_entry(e);
-        memmove(e, e + 1, sizeof *e * (size_t)(ini->entry + ini->n - (e + 1)));
-        ini->n--;
+        drop(ini->entry, &ini->n, e);
+        drop_empty_section(ini, section);
     } else if (*value != '\0' &&
                (push(&ini->section, &ini->n_sections, section, NULL, NULL, 0) != SW_OK ||
                 push(&ini->entry, &ini->n, section, key, value, 0) != SW_OK))

@@ -33,7 +33,8 @@ struct ini {
  * freed in each case. */
 enum status ini_read(FILE *f, const char *name, struct ini *ret, struct why *why);
 
-/* Set SECTION.KEY=VALUE: replaces or adds; an empty value removes the key.  SW_USAGE. */
+/* Set SECTION.KEY=VALUE: replaces or adds; an empty value removes the key, and with
+ * the last key the section.  SW_USAGE. */
 enum status ini_set(struct ini *ini, const char *assignment, struct why *why);
 
 /* The entry, or NULL. */

@@ -18,8 +18,10 @@
 
 #define K_MIN (-292)
 #define K_MAX 324
-#define WORDS 19 /* of 64 bits: 10^324 < 2^1077; 10^-292 with 128 bits needs 1098 after the point  \
-                  */
+
+/* Length of a long number in words of 64 bits: 10^324 is below 2^1077, and 10^-292 with 128 digits
+ * takes 1098 bits after the point. */
+#define WORDS 19
 
 __extension__ typedef unsigned __int128 u128;
 

@@ -13,23 +13,25 @@
 
 #define MAX_OPEN 16
 
-/* Unfinished files, for the signal handler: a slot is in use while its first byte is not NUL. */
+/* Unfinished files, for the signal handler.  The mark is set when the path is there, and before the
+ * file is; it is taken away when the file is gone. */
 static char unfinished[MAX_OPEN][PATH_MAX];
-static volatile sig_atomic_t pending, deferred;
+static volatile sig_atomic_t in_use[MAX_OPEN], pending, deferred;
 
 static void remove_unfinished(void)
 {
     for (int i = 0; i < MAX_OPEN; i++)
-        if (unfinished[i][0] != '\0') {
+        if (in_use[i]) {
             unlink(unfinished[i]);
-            unfinished[i][0] = '\0';
+            in_use[i] = 0;
         }
 }
 
 static void on_signal(int sig)
 {
-    if (deferred && !pending && (sig == SIGINT || sig == SIGTERM)) {
-        pending = sig;
+    if (deferred && (sig == SIGINT || sig == SIGTERM)) {
+        if (!pending) /* once, however often it comes: timeout(1) sends it twice */
+            pending = sig;
         return;
     }
     remove_unfinished();
@@ -45,7 +47,7 @@ void out_prepare(void)
         if (fcntl(fd, F_GETFD) == -1 && open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY) != fd)
             exit(1);
     for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
-        struct sigaction act = {.sa_handler = on_signal};
+        struct sigaction act = {.sa_handler = on_signal, .sa_flags = SA_RESTART};
         struct sigaction old;
 
         sigemptyset(&act.sa_mask);
@@ -67,8 +69,10 @@ int signals_pending(void)
     return pending;
 }
 
-void signals_end(void)
+void signals_end(struct out *o)
 {
+    if (o->slot < 0)
+        fflush(o->f); /* complete rows; an unfinished file vanishes instead */
     remove_unfinished();
     signal(pending, SIG_DFL);
     raise(pending);
@@ -87,24 +91,28 @@ static enum status open_part(struct out *o, struct why *why)
     if (stat(part, &st) == 0 && in_was_read(&st))
         return fail(why, SW_USAGE, "%s: is an input of this run", part);
     for (int i = 0; i < MAX_OPEN; i++)
-        if (strcmp(unfinished[i], part) == 0)
+        if (in_use[i] && strcmp(unfinished[i], part) == 0)
             return fail(why, SW_USAGE, "%s: is written twice in this run", o->name);
-    for (o->slot = 0; o->slot < MAX_OPEN && unfinished[o->slot][0] != '\0'; o->slot++)
+    for (o->slot = 0; o->slot < MAX_OPEN && in_use[o->slot]; o->slot++)
         ;
     if (o->slot == MAX_OPEN) {
         o->slot = -1;
         return fail(why, SW_WRITE, "%s: too many files are open", o->name);
     }
+    strcpy(unfinished[o->slot], part);
+    in_use[o->slot] = 1;
     fd = open(part, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    o->f = fd >= 0 ? fdopen(fd, "wb") : NULL;
+    if (o->f)
+        return SW_OK;
+    fail(why, SW_WRITE, "%s: cannot be written: %s", part, strerror(errno));
     if (fd >= 0) {
-        strcpy(unfinished[o->slot], part);
-        o->f = fdopen(fd, "wb");
-        if (!o->f)
-            close(fd);
+        close(fd);
+        unlink(part);
     }
-    if (!o->f)
-        return fail(why, SW_WRITE, "%s: cannot be written: %s", part, strerror(errno));
-    return SW_OK;
+    in_use[o->slot] = 0;
+    o->slot = -1;
+    return SW_WRITE;
 }
 
 /* Final path of name: its links followed, as far as it exists. */
@@ -165,18 +173,21 @@ void out_row(struct out *o, const double *x, int n)
         out_number(o, x[i]);
         putc(i < n - 1 ? ',' : '\n', o->f);
     }
+    out_failed(o);
 }
 
-int out_failed(const struct out *o)
+int out_failed(struct out *o)
 {
-    return ferror(o->f);
+    if (o->error == 0 && ferror(o->f))
+        o->error = errno ? errno : EIO;
+    return o->error != 0;
 }
 
 enum status out_finish(struct out *o, struct why *why)
 {
-    int bad = ferror(o->f), error = 0;
+    int error = out_failed(o) ? o->error : 0;
 
-    if (fflush(o->f) != 0 || bad)
+    if (fflush(o->f) != 0 && error == 0)
         error = errno ? errno : EIO;
     if (error == 0 && o->slot >= 0 && fsync(fileno(o->f)) != 0)
         error = errno;
@@ -187,7 +198,7 @@ enum status out_finish(struct out *o, struct why *why)
         return SW_OK;
     if (o->slot >= 0) {
         unlink(unfinished[o->slot]);
-        unfinished[o->slot][0] = '\0';
+        in_use[o->slot] = 0;
         o->slot = -1;
     }
     return fail(why, SW_WRITE, "%s: cannot be written: %s", o->name, strerror(error));
@@ -199,7 +210,7 @@ enum status out_rename(struct out *o, struct why *why)
         return SW_OK;
     if (rename(unfinished[o->slot], o->path) != 0)
         return fail(why, SW_WRITE, "%s: cannot be renamed to: %s", o->path, strerror(errno));
-    unfinished[o->slot][0] = '\0';
+    in_use[o->slot] = 0;
     o->slot = -1;
     return SW_OK;
 }
@@ -217,7 +228,7 @@ void progress(double done, const char *what)
     struct timespec t;
     double now;
 
-    if (!err_verbose() && !isatty(STDERR_FILENO))
+    if (err_quiet() || (!err_verbose() && !isatty(STDERR_FILENO)))
         return;
     clock_gettime(CLOCK_MONOTONIC, &t);
     now = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
@@ -229,6 +240,6 @@ void progress(double done, const char *what)
 
 void progress_end(void)
 {
-    if (isatty(STDERR_FILENO))
+    if (!err_quiet() && isatty(STDERR_FILENO))
         fputs("\r\033[K", stderr);
 }

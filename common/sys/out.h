@@ -18,6 +18,7 @@ struct out {
     const char *name;    /* for messages; owned by the caller, or "<stdout>" */
     char path[PATH_MAX]; /* final path, empty for what is written as it is */
     int slot;            /* in the list of unfinished files, -1: none */
+    int error;           /* errno of the first failure seen, 0: none */
 };
 
 /* First act of a tool: standard streams that are closed stay unused, a closed pipe ends the tool
@@ -34,7 +35,7 @@ void out_number(struct out *o, double x);
 void out_row(struct out *o, const double *x, int n);
 
 /* Whether writing has failed so far: for long runs. */
-int out_failed(const struct out *o);
+int out_failed(struct out *o);
 
 /* Flush, sync, check, rename.  On failure the unfinished file is removed.  SW_WRITE. */
 enum status out_close(struct out *o, struct why *why);
@@ -44,13 +45,14 @@ enum status out_close(struct out *o, struct why *why);
 enum status out_finish(struct out *o, struct why *why);
 enum status out_rename(struct out *o, struct why *why);
 
-/* From now on SIGINT and SIGTERM only set a mark, once; the tool asks for it, closes its output
- * and ends by the signal. */
+/* From now on SIGINT and SIGTERM only set a mark, however often; the tool asks for it between rows
+ * and ends by the signal: complete rows are flushed, an unfinished file is removed. */
 void signals_defer(void);
 int signals_pending(void);
-__attribute__((noreturn)) void signals_end(void);
+__attribute__((noreturn)) void signals_end(struct out *o);
 
-/* Done so far, 0..1, on a terminal at stderr or with -v; at most ten times a second. */
+/* Done so far, 0..1, on a terminal at stderr or with -v, not with -q; at most ten times a second.
+ */
 void progress(double done, const char *what);
 void progress_end(void);
 

@@ -93,8 +93,24 @@ holds 'abs(f[1, 2] - 0.05) < 1e-9 && abs(f[200, 3]) < 0.02' out \
     'diffverf: both supports in step carry the cable along, without stretching it'
 
 runs 1 'twice the critical step' diffverf --set time.step=1.32e-3 --set time.output_every=0.132 stay.ini
-says 'diverged: the step of 0.00132 s is longer' 'and says time, step and what to change'
-says 't = 0 s' 'at once'
+says 't = 0 s: would diverge: the step of 0.00132 s is longer than the critical 0.00065' \
+    'and says time and step'
+says 'set time.step = auto' 'and what to change'
+runs 1 'stretched by a tenth' diffverf --set 'motion deck.amplitude=-20 0 0' \
+    --set 'motion deck.phase=1.5708' --set time.end=2 stay.ini
+says 'diverged: the cable is stretched so far that' 'and why it ends'
+runs 2 'a mode with nodes at all nodes of the mesh' diffverf --set 'time.start=mode 19 0.01' stay.ini
+says 'mode 19 has no displacement at the nodes' 'is refused'
+runs 2 'supports that pass each other' diffverf --set 'motion deck.amplitude=-110.5 0 0' stay.ini
+says 'leave no static line: span 0 m' 'are told'
+runs 0 'an end before the first row' diffverf --set time.end=0.001 stay.ini
+says 'only t = 0 is printed' 'is a warning'
+runs 0 'a disturbance after the end' diffverf --set disturbance.mode=1 \
+    --set disturbance.amplitude=0.1 --set disturbance.time=9 --set time.end=1 stay.ini
+says '[disturbance] comes after time.end' 'is a warning'
+runs 0 'a motion removed' diffverf --set 'motion deck.amplitude=' --set 'motion deck.omega=' \
+    --set 'motion deck.support=' --set time.end=1 --set time.output_every=0.5 stay.ini
+holds 'n == 3 && f[3, 3] == 0' out 'diffverf: without a motion nothing moves'
 runs 1 'truncated terms at large amplitude' diffverf --set nonlinear.terms=1 \
     --set 'motion deck.amplitude=20 0 0' stay.ini
 [ -s err ]

@@ -88,6 +88,34 @@ if [ -z "${SEILWERK_SANITIZED:-}" ]; then
     done
 fi
 
+# A model written over that of another case: afterwards the directory is the old model, the new one
+# or refused by both, and nothing unfinished lies in it.
+if [ -z "${SEILWERK_SANITIZED:-}" ]; then
+    modal -d older -o older.csv --set cable.mass_per_length=65 stay.ini
+    n=0
+    wrong=
+    states=
+    : >mark
+    while [ -e mark ] && [ $n -lt 200 ]; do
+        n=$((n + 1))
+        rm -rf result mark
+        mkdir result
+        cp -r older result/model
+        output $n modal 2>err
+        diffverf -d result/model --set cable.mass_per_length=65 -o old.csv stay.ini 2>err
+        old=$?
+        diffverf -d result/model -o new.csv stay.ini 2>err
+        states="$states $old$?"
+        [ -z "$(find result -name '*.part')" ] || wrong="$wrong $n"
+    done
+    for state in $states; do
+        case $state in 02 | 20 | 22) ;; *) wrong="$wrong $state" ;; esac
+    done
+    [ -z "$wrong" ] || echo "# $wrong"
+    [ -z "$wrong" ] && [ $n -gt 40 ] && [ "$state" = 20 ]
+    ok $? "a model directory is one model or refused, whichever of $((n - 1)) acts of writing fails"
+fi
+
 # The message itself must be written somewhere: stderr is a pipe, which has no limit of size.
 for tool in catenary modal diffverf; do
     n=0
@@ -130,7 +158,7 @@ for signal in INT TERM; do
     pid=$!
     wait_for result/out.csv.part
     kill -s $signal $pid
-    wait $pid
+    wait $pid 2>wait.err # where some shells tell of the signal
     status=$?
     [ $status -eq "$(case $signal in INT) echo 130 ;; TERM) echo 143 ;; esac)" ]
     ok $? "SIG$signal ends diffverf by that signal"
@@ -140,7 +168,7 @@ for signal in INT TERM; do
     pid=$!
     wait_for rows
     kill -s $signal $pid
-    wait $pid
+    wait $pid 2>wait.err
     [ "$(tail -c 1 rows | od -An -c | tr -d ' ')" = '\n' ] &&
         [ -z "$(awk -F, 'NF != 11' rows)" ]
     ok $? "SIG$signal: standard output ends with a complete row"

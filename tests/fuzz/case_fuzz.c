@@ -39,6 +39,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check(!case_model_difference(&c, &again));
         twice = printed(&again, &m);
         check(n == m && memcmp(once, twice, n) == 0);
+        case_free(&again);
+        case_free(&c);
         free(once);
         free(twice);
     }

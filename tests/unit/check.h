@@ -16,9 +16,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "num/pi.h"
 #include "phys/line.h"
-
-#define PI 3.14159265358979323846
 
 /* |x - wanted| <= tolerance; NaN fails. */
 #define near_abs(x, wanted, tolerance) near_((x), (wanted), (tolerance), #x, __FILE__, __LINE__)

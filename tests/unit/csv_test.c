@@ -82,13 +82,17 @@ static void line_ends(void **state)
     struct file f;
     (void)state;
 
-    begin(&f, "\xef\xbb\xbf" "a,b\r\n\r\n1,2\r\n\n3,4\r");
+    begin(&f, "\xef\xbb\xbf"
+              "a,b\r\n\r\n1,2\r\n\n3,4\r");
     row(&f, 1, "a|b");
     row(&f, 3, "1|2");
     row(&f, 5, "3|4");
     no_more(&f);
-    begin(&f, "\xef\xbb\xbf\n\xef\xbb\xbf" "a\n");
-    row(&f, 2, "\xef\xbb\xbf" "a");
+    begin(&f, "\xef\xbb\xbf\n\xef\xbb\xbf"
+              "a\n");
+    row(&f, 2,
+        "\xef\xbb\xbf"
+        "a");
     no_more(&f);
     begin(&f, "\xef\xbb\xbf");
     no_more(&f);
@@ -128,7 +132,8 @@ static void quotes(void **state)
 /* An error in one row does not reach into the next. */
 static void wrong_quotes(void **state)
 {
-    static const char *const wrong[] = {"\"open,1", "a\"b,1", "\"a\"b,1", "1,\"", "\"\"\"", "a,b\""};
+    static const char *const wrong[] = {"\"open,1", "a\"b,1", "\"a\"b,1",
+                                        "1,\"",     "\"\"\"", "a,b\""};
     (void)state;
 
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {

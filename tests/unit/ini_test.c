@@ -289,8 +289,8 @@ static void sets(void **state)
 
 static void set_refusals(void **state)
 {
-    static const char *const wrong[] = {"", "a", "a.x", "=1", "x=1", ".x=1", "a.=1", " .x=1",
-                                        "a. =1", "a=1.5"};
+    static const char *const wrong[] = {"",     "a",    "a.x",   "=1",    "x=1",
+                                        ".x=1", "a.=1", " .x=1", "a. =1", "a=1.5"};
     static const char *const section[] = {"a]b.x=1", "a #b.x=1", "a ;b.x=1", "[a].x=1", "#a.x=1"};
     struct ini ini = good("[a]\nx = 1\n");
     char *longest = repeat('1', INI_LINE_BYTES + 1), wanted[200];
@@ -361,8 +361,7 @@ static void memory(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(values_and_lines), cmocka_unit_test(indented_keys),
-          cmocka_unit_test(line_ends), cmocka_unit_test(long_lines),
-          cmocka_unit_test(whole_values), cmocka_unit_test(long_sections),
-          cmocka_unit_test(refusals), cmocka_unit_test(nothing), cmocka_unit_test(colon_in_value),
-          cmocka_unit_test(unreadable), cmocka_unit_test(sets), cmocka_unit_test(set_refusals),
-          cmocka_unit_test(messages), cmocka_unit_test(memory))
+          cmocka_unit_test(line_ends), cmocka_unit_test(long_lines), cmocka_unit_test(whole_values),
+          cmocka_unit_test(long_sections), cmocka_unit_test(refusals), cmocka_unit_test(nothing),
+          cmocka_unit_test(colon_in_value), cmocka_unit_test(unreadable), cmocka_unit_test(sets),
+          cmocka_unit_test(set_refusals), cmocka_unit_test(messages), cmocka_unit_test(memory))

@@ -124,16 +124,21 @@ static void string_and_bar(void **state)
     model_free(&m);
 }
 
-/* Irvine's symmetric in-plane root, with m = mu L0/l: small sag, no axial inertia, hence 1e-3. */
+/* Irvine's symmetric in-plane root, with the mass per metre of chord: small sag, no axial inertia,
+ * hence 1e-3.  Level cables, and one at 60 degrees whose
+ * tension is ten times its weight. */
 static void irvine(void **state)
 {
+    const struct cable steep = {99.8, 1, 5e6, 9.81, 50, 86.60254037844386};
+    const struct cable *const cable[] = {&pont, &seil1, &seil2, &steep};
     (void)state;
-    for (int i = 0; i < 3; i++) {
-        const struct cable *c = i == 0 ? &pont : i == 1 ? &seil1 : &seil2;
+
+    for (int i = 0; i < 4; i++) {
+        const struct cable *c = cable[i];
         struct model m;
         struct modes p = solve(c, LAW_HOOKE, 20, 2, &m);
-        double mass = c->mu * c->L0 / c->span, low = PI, high = 3 * PI;
-        double lambda2 = line_lambda2(&m.line, mass);
+        double chord = line_chord(c), mass = c->mu * c->L0 / chord, low = PI, high = 3 * PI;
+        double lambda2 = line_lambda2(&m.line, mass), tension = m.line.H * chord / c->span;
 
         while (high - low > 1e-12) {
             double x = (low + high) / 4; /* half of xb */
@@ -143,8 +148,8 @@ static void irvine(void **state)
             else
                 low = 2 * x;
         }
-        near_rel(p.omega[0], PI / c->span * sqrt(m.line.H / mass), 1e-3);
-        near_rel(p.omega[1], low / c->span * sqrt(m.line.H / mass), 1e-3);
+        near_rel(p.omega[0], PI / chord * sqrt(tension / mass), 1e-3);
+        near_rel(p.omega[1], low / chord * sqrt(tension / mass), 1e-3);
         modes_free(&p);
         model_free(&m);
     }

@@ -88,7 +88,8 @@ static void both_orders(void **state)
 {
     static const double turned[] = {1, 3, 1e-300, 2, -4.5, 6};
     struct bytes f = six_in("True", "(3, 2)"), c = six_in("False", "(3, 2)");
-    struct bytes v = six_in("True", "(6,)"), w = six_in("False", "(6,)"), r = six_in("False", "(1, 6)");
+    struct bytes v = six_in("True", "(6,)"), w = six_in("False", "(6,)"),
+                 r = six_in("False", "(1, 6)");
     (void)state;
 
     good(&f, 2, 3, 2, six);
@@ -141,15 +142,15 @@ static void no_entries(void **state)
 static void cut(void **state)
 {
     for (int format = 1; format <= 2; format++) {
-        struct bytes f = file_of(
-            format, "{'descr': '<f8', 'fortran_order': True, 'shape': (2, 3), }", six, 6);
+        struct bytes f =
+            file_of(format, "{'descr': '<f8', 'fortran_order': True, 'shape': (2, 3), }", six, 6);
         size_t n = f.n, start = format == 1 ? 10 : 12;
         struct npy a;
 
         good(&f, 2, 2, 3, six);
         for (f.n = 0; f.n < n; f.n++) {
             assert_int_equal(read_file(&f, &a), SW_FORMAT);
-            assert_string_equal(why.text, f.n < 10                ? "test: is no .npy file, or cut short"
+            assert_string_equal(why.text, f.n < 10 ? "test: is no .npy file, or cut short"
                                           : f.n < n - sizeof six ? "test: the header is cut short"
                                                                  : "test: the data are cut short");
         }
@@ -182,15 +183,27 @@ static void changed(void **state)
 
 static void wrong_headers(void **state)
 {
-    static const char type[] =
-        "test: expected little-endian 64-bit floating point numbers ('<f8')";
+    static const char type[] = "test: expected little-endian 64-bit floating point numbers ('<f8')";
     static const char dims[] = "test: expected an array with one or two dimensions";
     static const char keys[] = "test: the header lacks descr, fortran_order or shape";
-    static const char *const other_type[] = {"'>f8'", "'<f4'", "'<i8'", "'|b1'", "'<c16'", "[('a', '<f8')]", "<f8"};
-    static const char *const shape[] = {"(1, 2, 3)", "()", "6", "(-6,)", "(6.0,)", "(6", "( 6,)", "(a,)",
-                                        "(2 3)", "(,)", "(2,,3)", "[6]",
-                                        "(99999999999999999999,)", "(4294967296, 4294967296)",
-                                        "(1152921504606846976,)", "(2305843009213693951, 8)"};
+    static const char *const other_type[] = {"'>f8'",  "'<f4'",          "'<i8'", "'|b1'",
+                                             "'<c16'", "[('a', '<f8')]", "<f8"};
+    static const char *const shape[] = {"(1, 2, 3)",
+                                        "()",
+                                        "6",
+                                        "(-6,)",
+                                        "(6.0,)",
+                                        "(6",
+                                        "( 6,)",
+                                        "(a,)",
+                                        "(2 3)",
+                                        "(,)",
+                                        "(2,,3)",
+                                        "[6]",
+                                        "(99999999999999999999,)",
+                                        "(4294967296, 4294967296)",
+                                        "(1152921504606846976,)",
+                                        "(2305843009213693951, 8)"};
     char text[200];
     (void)state;
 
@@ -216,8 +229,7 @@ static void wrong_headers(void **state)
 static void absurd_sizes(void **state)
 {
     struct bytes f = six_in("True", "(100000000000, 1000)"), g = six_in("False", "(10000000000,)");
-    struct bytes h =
-        file_of(2, "{'descr': '<f8', 'fortran_order': True, 'shape': (6,), }", six, 6);
+    struct bytes h = file_of(2, "{'descr': '<f8', 'fortran_order': True, 'shape': (6,), }", six, 6);
     (void)state;
 
     bad(&f, "test: the data are cut short");
@@ -270,7 +282,8 @@ static void round_trip(int dims, size_t rows, size_t columns)
     npy_write(&o, dims, rows, columns, data);
     rewind(o.f);
     assert_int_equal(fread(start, 1, 128, o.f), 128);
-    assert_memory_equal(start, "\x93NUMPY\1\0\x76\0{'descr': '<f8', 'fortran_order': True, 'shape': (",
+    assert_memory_equal(start,
+                        "\x93NUMPY\1\0\x76\0{'descr': '<f8', 'fortran_order': True, 'shape': (",
                         60);
     assert_int_equal(start[127], '\n');
     assert_int_equal(fseek(o.f, 0, SEEK_END), 0);

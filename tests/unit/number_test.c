@@ -258,10 +258,22 @@ static void read_numbers(void **state)
         const char *text;
         double x;
     } table[] = {
-        {"0", 0},         {"-0", 0},      {"+1", 1},           {"1.", 1},
-        {".5", 0.5},      {"-.5", -0.5},  {"1e3", 1000},       {"1E+3", 1000},
-        {"1e-3", 0.001},  {"007", 7},     {"1e-400", 0},       {"2.1e11", 2.1e11},
-        {"1e308", 1e308}, {"0.1", 0.1},   {"4.9e-324", 5e-324}, {"00000000000000000000001", 1},
+        {"0", 0},
+        {"-0", 0},
+        {"+1", 1},
+        {"1.", 1},
+        {".5", 0.5},
+        {"-.5", -0.5},
+        {"1e3", 1000},
+        {"1E+3", 1000},
+        {"1e-3", 0.001},
+        {"007", 7},
+        {"1e-400", 0},
+        {"2.1e11", 2.1e11},
+        {"1e308", 1e308},
+        {"0.1", 0.1},
+        {"4.9e-324", 5e-324},
+        {"00000000000000000000001", 1},
     };
     (void)state;
 
@@ -278,35 +290,35 @@ static void read_numbers(void **state)
 
 static void refuse_numbers(void **state)
 {
-    static const char *const not[] = {"x",    "1x",   "1 ",   " 1",  "1 2", "nan",  "NaN", "-nan",
-                                      "inf",  "-Inf", "infinity", "0x10", "1e", "1e+", "-",  "+",
-                                      ".",    "e5",   "--1",  "1.2.3", "1e5.5", "\t1", "1\n", "1d5",
-                                      "1_000", "1'000", "\302\2401"};
+    static const char *const not [] = {"x",     "1x",    "1 ",       " 1",   "1 2",      "nan",
+                                       "NaN",   "-nan",  "inf",      "-Inf", "infinity", "0x10",
+                                       "1e",    "1e+",   "-",        "+",    ".",        "e5",
+                                       "--1",   "1.2.3", "1e5.5",    "\t1",  "1\n",      "1d5",
+                                       "1_000", "1'000", "\302\2401"};
     static const char *const large[] = {"1e400", "-1e309", "1.8e308"};
     static const char *const comma[] = {"1,5", "1,", ",", "1,000.5"};
     double x = 42;
     (void)state;
 
     assert_string_equal(number_read("", &x), "a number is missing");
-    for (size_t i = 0; i < sizeof not/ sizeof *not; i++) {
-        const char *reason = number_read(not[i], &x);
+    for (size_t i = 0; i < sizeof not / sizeof *not ; i++) {
+        const char *reason = number_read(not [i], &x);
 
         if (!reason)
-            print_error("'%s' is accepted\n", not[i]);
+            print_error("'%s' is accepted\n", not [i]);
         assert_string_equal(reason, "not a number");
     }
     for (size_t i = 0; i < sizeof large / sizeof *large; i++)
         assert_string_equal(number_read(large[i], &x), "the number is too large");
     for (size_t i = 0; i < sizeof comma / sizeof *comma; i++)
-        assert_string_equal(number_read(comma[i], &x),
-                            "a decimal point is expected, not a comma");
+        assert_string_equal(number_read(comma[i], &x), "a decimal point is expected, not a comma");
     assert_true(x == 42);
 }
 
 static void whole_numbers(void **state)
 {
-    static const char *const not[] = {"",    "x",   "1.0", "1e3",   " 1",   "1 ",
-                                      "1,0", "0x1", "-",   "1\n", "one", "1-"};
+    static const char *const not [] = {"",    "x",   "1.0", "1e3", " 1",  "1 ",
+                                       "1,0", "0x1", "-",   "1\n", "one", "1-"};
     long i = 42;
     (void)state;
 
@@ -319,18 +331,17 @@ static void whole_numbers(void **state)
     assert_null(integer_read("010", 0, 100, &i));
     assert_int_equal(i, 10);
     i = 42;
-    for (size_t k = 0; k < sizeof not/ sizeof *not; k++) {
-        const char *reason = integer_read(not[k], -100, 100, &i);
+    for (size_t k = 0; k < sizeof not / sizeof *not ; k++) {
+        const char *reason = integer_read(not [k], -100, 100, &i);
 
         if (!reason)
-            print_error("'%s' is accepted\n", not[k]);
+            print_error("'%s' is accepted\n", not [k]);
         assert_string_equal(reason, "not a whole number");
     }
     assert_string_equal(integer_read("0", 1, 3, &i), "the number is too small");
     assert_string_equal(integer_read("4", 1, 3, &i), "the number is too large");
     assert_string_equal(integer_read("99999999999999999999", 1, 3, &i), "the number is too large");
-    assert_string_equal(integer_read("-99999999999999999999", 1, 3, &i),
-                        "the number is too small");
+    assert_string_equal(integer_read("-99999999999999999999", 1, 3, &i), "the number is too small");
     assert_int_equal(i, 42);
 }
 

@@ -1,0 +1,541 @@
+/* Case files: defaults, what is resolved, printing and reading again, --set, each refusal. */
+#include "textfile.h"
+
+#include "form/cable.h"
+#include "num/mem.h"
+
+#define BASE                                                                                       \
+    "[cable]\nunstressed_length = 10\nmass_per_length = 2\naxial_stiffness = 1e6\n"                \
+    "[supports]\nspan = 10.01\n"
+
+static struct why why;
+static struct cable_case c, again;
+
+/* Read text with up to four --set assignments, the first NULL ends them. */
+static enum status read_with(const char *text, const char *const set[4], struct cable_case *ret)
+{
+    const char *item[4];
+    struct opt_list sets = {item, 0};
+    FILE *f = file_with(text, strlen(text));
+    enum status s;
+
+    while (sets.n < 4 && set && set[sets.n]) {
+        item[sets.n] = set[sets.n];
+        sets.n++;
+    }
+    strcpy(why.text, "nothing");
+    case_free(ret); /* of the last time */
+    s = case_read(f, "test", &sets, ret, &why);
+    fclose(f);
+    return s;
+}
+
+static void read_good(const char *text, const char *const set[4])
+{
+    if (read_with(text, set, &c) != SW_OK)
+        print_error("%s\n", why.text);
+    assert_string_equal(why.text, "nothing");
+}
+
+#define good(text, ...) read_good(text, (const char *const[4]){__VA_ARGS__})
+
+/* The case as printed; to be freed. */
+static char *printed(const struct cable_case *p)
+{
+    char *text = NULL;
+    size_t size;
+    struct out o = {.f = open_memstream(&text, &size), .slot = -1};
+
+    assert_non_null(o.f);
+    case_print(p, &o);
+    fclose(o.f);
+    return text;
+}
+
+/* c printed is a case that prints the same, of the same model. */
+static void fixed_point(void)
+{
+    char *once = printed(&c), *twice;
+
+    if (read_with(once, NULL, &again) != SW_OK)
+        print_error("%s\n%s", why.text, once);
+    assert_string_equal(why.text, "nothing");
+    twice = printed(&again);
+    assert_string_equal(once, twice);
+    assert_null(case_model_difference(&c, &again));
+    free(once);
+    free(twice);
+}
+
+static void refuse_with(const char *text, const char *const set[4], enum status wanted,
+                        const char *message)
+{
+    assert_int_equal(read_with(text, set, &c), wanted);
+    assert_string_equal(why.text, message);
+}
+
+#define bad(text, message) refuse_with(text, NULL, SW_FORMAT, message)
+#define bad_set(message, ...)                                                                      \
+    refuse_with(BASE, (const char *const[4]){__VA_ARGS__}, SW_USAGE, message)
+
+static void defaults(void **state)
+{
+    char *text;
+    (void)state;
+
+    good(BASE, NULL);
+    assert_true(c.cable.drop == 0 && c.cable.g == 9.81 && c.elements == 20 && c.law == LAW_HOOKE);
+    assert_true(isnan(c.youngs_modulus) && isnan(c.area) && c.cable.EA == 1e6);
+    assert_true(c.alpha == 0 && c.beta == 0);
+    assert_int_equal(c.n_motions, 0);
+    assert_int_equal(c.n_disturbances, 0);
+    assert_true(isnan(c.time.end) && c.time.scheme == 0 && c.time.step == 0);
+    assert_int_equal(c.time.start, START_STATIC);
+    assert_true(c.time.n_probes == 1 && c.time.probe[0] == 0.5);
+    assert_int_equal(c.terms, 3);
+    c.time.output_every = 0.25;
+    text = printed(&c);
+    assert_string_equal(text, "[cable]\nunstressed_length = 10\nmass_per_length = 2\n"
+                              "axial_stiffness = 1000000\n[supports]\nspan = 10.01\n"
+                              "drop = 0\n"
+                              "[gravity]\nacceleration = 9.81\n"
+                              "[mesh]\nelements = 20\nlaw = hooke\n"
+                              "[damping]\nalpha = 0\nbeta = 0\n"
+                              "[time]\nscheme = central\nstep = auto\nstart = static\n"
+                              "output_every = 0.25\nprobes = 0.5\n"
+                              "[nonlinear]\nterms = 3\n");
+    free(text);
+}
+
+/* Rows for each 1/50 of the shortest excitation period, else of the first lateral period. */
+static void output_interval(void **state)
+{
+    static const char motions[] = BASE "[motion a]\namplitude = 1 0 0\nomega = 3\n"
+                                       "[motion b]\namplitude = 1 0 0\nomega = 5\n";
+    struct line line;
+    (void)state;
+
+    good(motions, NULL);
+    near_rel(c.time.output_every, 2 * PI / 5 / 50, 1e-15);
+    good(motions, "time.output_every=0.125");
+    near_rel(c.time.output_every, 0.125, 0);
+    good(BASE, NULL);
+    assert_int_equal(line_solve(&c.cable, &line), SW_OK); /* a string: omega = pi/l sqrt(H/m) */
+    near_rel(c.time.output_every, 2 * c.cable.span / 50 / sqrt(line.H / 2 * 10.01 / 10), 1e-14);
+    good(BASE, "motion.amplitude=0 0 0", "motion.omega=1e-9");
+    fixed_point();
+    good(BASE, "cable.unstressed_length=1e9", "supports.span=1e-6", "gravity.acceleration=1e-300");
+    fixed_point(); /* a default outside of the key's range is moved to its end */
+}
+
+static void stiffness_both_ways(void **state)
+{
+    static const char text[] = "[cable]\nunstressed_length = 10\nmass_per_length = 2\n"
+                               "youngs_modulus = 2e11\narea = 2.5e-4\n[supports]\nspan = 10.01\n";
+    char *shown;
+    (void)state;
+
+    good(text, NULL);
+    near_rel(c.cable.EA, 5e7, 0);
+    fixed_point();
+    shown = printed(&c);
+    assert_non_null(strstr(shown, "youngs_modulus = 200000000000\narea = 0.00025\n"));
+    assert_null(strstr(shown, "axial_stiffness"));
+    free(shown);
+    assert_int_equal(read_with(text, NULL, &again), SW_OK);
+    good(text, "cable.youngs_modulus=", "cable.area=", "cable.axial_stiffness=5e7");
+    assert_null(case_model_difference(&c, &again));
+}
+
+/* zeta_i = alpha/(2 omega_i) + beta omega_i/2. */
+static void two_point_fit(void **state)
+{
+    static const struct {
+        const char *zeta, *omega;
+        double z[2], w[2];
+    } table[] = {
+        {"damping.zeta=0.02 0.03", "damping.omega=3 50", {0.02, 0.03}, {3, 50}},
+        {"damping.zeta=0.03 0.02", "damping.omega=50 3", {0.03, 0.02}, {50, 3}},
+        {"damping.zeta=0 0", "damping.omega=1 2", {0, 0}, {1, 2}},
+        {"damping.zeta=0.01 0.01", "damping.omega=1 1.001", {0.01, 0.01}, {1, 1.001}},
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        good(BASE, table[i].zeta, table[i].omega);
+        for (int k = 0; k < 2; k++)
+            near_abs(c.alpha / 2 / table[i].w[k] + c.beta * table[i].w[k] / 2, table[i].z[k],
+                     1e-13 * table[i].z[k]);
+        assert_true(isnan(c.zeta[0]) && isnan(c.zeta_omega[1]));
+        fixed_point();
+    }
+    good(BASE, "damping.alpha=0.1");
+    assert_true(c.alpha == 0.1 && c.beta == 0);
+}
+
+/* Ratios that beta or alpha alone explains: the other one is 0, whatever round-off says. */
+static void one_sided_fit(void **state)
+{
+    uint64_t seed = 4711;
+    (void)state;
+
+    for (int i = 0; i < 2000; i++) {
+        double w[2] = {log_uniform(&seed, 0.1, 1e3), log_uniform(&seed, 0.1, 1e3)};
+        double k = log_uniform(&seed, 1e-6, 1e-2);
+        char zeta[100], omega[100];
+
+        snprintf(omega, sizeof omega, "damping.omega=%.17g %.17g", w[0], w[1]);
+        snprintf(zeta, sizeof zeta, "damping.zeta=%.17g %.17g", k * w[0], k * w[1]);
+        good(BASE, zeta, omega);
+        near_rel(c.beta, 2 * k, 1e-9);
+        below(c.alpha, 1e-12 * k * w[0] * w[0] + 1e-12 * k * w[1] * w[1]);
+        snprintf(zeta, sizeof zeta, "damping.zeta=%.17g %.17g", k / w[0], k / w[1]);
+        good(BASE, zeta, omega);
+        near_rel(c.alpha, 2 * k, 1e-9);
+    }
+}
+
+static void motions(void **state)
+{
+    (void)state;
+    good(BASE "[motion]\namplitude = 1 2 3\nomega = 4\n"
+              "[motion deck  east]\nsupport = left\namplitude = 0 0 -1\nomega = 5\n"
+              "phase = 0.5\nramp = 2\n"
+              "[motion b]\namplitude = 1 0 0\nomega = 6\nphase = 1 2 -3\n",
+         NULL);
+    assert_int_equal(c.n_motions, 3);
+    assert_string_equal(c.motion_label[0], "motion");
+    assert_string_equal(c.motion_label[1], "motion deck east");
+    assert_string_equal(c.motion_label[2], "motion b");
+    assert_int_equal(c.motion[0].support, SUPPORT_RIGHT);
+    assert_int_equal(c.motion[1].support, SUPPORT_LEFT);
+    assert_true(c.motion[0].amplitude[1] == 2 && c.motion[0].ramp == 0);
+    for (int i = 0; i < 3; i++) {
+        assert_true(c.motion[0].phase[i] == 0);
+        assert_true(c.motion[1].phase[i] == 0.5);
+    }
+    assert_true(c.motion[2].phase[0] == 1 && c.motion[2].phase[2] == -3);
+    assert_true(c.motion[1].ramp == 2 && c.motion[1].omega == 5);
+    fixed_point();
+}
+
+/* Labels as long as they may be, told apart by the last byte. */
+static void long_labels(void **state)
+{
+    char *label = repeat('x', 55), text[512];
+    (void)state;
+
+    snprintf(text, sizeof text,
+             BASE "[motion %s1]\namplitude = 1 0 0\nomega = 4\n"
+                  "[motion %s2]\namplitude = 2 0 0\nomega = 5\n",
+             label, label);
+    good(text, NULL);
+    assert_int_equal(c.n_motions, 2);
+    assert_true(c.motion[0].omega == 4 && c.motion[1].omega == 5);
+    fixed_point();
+    snprintf(text, sizeof text, BASE "[motion %s12]\namplitude = 1 0 0\nomega = 4\n", label);
+    bad(text, "test:7: the label is longer than 63 bytes");
+    free(label);
+}
+
+static void any_number_of_motions(void **state)
+{
+    char text[8192];
+    size_t used = (size_t)snprintf(text, sizeof text, "%s", BASE);
+    (void)state;
+
+    for (int i = 1; i <= 60; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "[motion %d]\namplitude = 1 0 0\nomega = %d\n", i, i);
+    good(text, NULL);
+    assert_int_equal(c.n_motions, 60);
+    assert_true(c.motion[59].omega == 60);
+    fixed_point();
+}
+
+static void disturbances(void **state)
+{
+    (void)state;
+    good(BASE "[disturbance]\nmode = 3\namplitude = 0.1\n"
+              "[disturbance kick]\ntime = 2\nnode = 19\namplitude = 0 0 1\nkind = velocity\n",
+         NULL);
+    assert_int_equal(c.n_disturbances, 2);
+    assert_true(c.disturbance[0].mode == 3 && c.disturbance[0].node == -1);
+    assert_true(c.disturbance[0].time == 0 && c.disturbance[0].kind == KICK_DISPLACEMENT);
+    assert_true(c.disturbance[1].mode == -1 && c.disturbance[1].node == 19);
+    assert_true(c.disturbance[1].time == 2 && c.disturbance[1].kind == KICK_VELOCITY);
+    assert_true(c.disturbance[1].amplitude[2] == 1);
+    fixed_point();
+}
+
+static void times(void **state)
+{
+    (void)state;
+    good(BASE "[time]\nend = 3\nstep = 1e-5\nprobes = 0 0.25 1\nstart = mode 120 -0.5\n", NULL);
+    assert_true(c.time.end == 3 && c.time.step == 1e-5 && c.time.n_probes == 3);
+    assert_true(c.time.start == START_MODE && c.time.start_mode == 120);
+    assert_true(c.time.start_amplitude == -0.5);
+    fixed_point();
+    good(BASE, "time.start=rest", "motion.amplitude=1 0 0", "motion.omega=1", "motion.ramp=1");
+    assert_int_equal(c.time.start, START_REST);
+    fixed_point();
+    good(BASE, "time.start=rest");
+    good(BASE, "time.step=auto");
+    assert_true(c.time.step == 0);
+}
+
+/* As many probes as fit; a line that would be too long to be read again is refused. */
+static void probes(void **state)
+{
+    static const char wide[] = "[time]\nprobes = 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 "
+                               "1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5 1e-5";
+    char text[512];
+    (void)state;
+
+    snprintf(text, sizeof text, "%s%s\n", BASE, wide); /* 23 of 7 digits: 8 + 23 * 8 = 192 bytes */
+    good(text, NULL);
+    assert_int_equal(c.time.n_probes, 23);
+    fixed_point();
+    snprintf(text, sizeof text, "%s%s 1e-5\n", BASE, wide);
+    bad(text, "test:8: probes: the list, printed, is longer than 198 bytes");
+    snprintf(text, sizeof text, "%s[time]\nprobes =", BASE);
+    for (int i = 0; i < 95; i++)
+        strcat(text, " 0");
+    good(text, NULL);
+    assert_int_equal(c.time.n_probes, 95);
+    fixed_point();
+    strcat(text, " 1");
+    bad(text, "test:8: the line is longer than 198 bytes");
+}
+
+static void sets(void **state)
+{
+    (void)state;
+    good(BASE, "supports.drop=3", "mesh.elements=7", "cable.axial_stiffness=5", "mesh.law=printed");
+    assert_true(c.cable.drop == 3 && c.elements == 7 && c.cable.EA == 5 && c.law == LAW_PRINTED);
+    good(BASE "[time]\nend = 3\n", "time.end=");
+    assert_true(isnan(c.time.end));
+    good(BASE, "mesh.elements=7", "mesh.elements=8");
+    assert_int_equal(c.elements, 8);
+    good(BASE, "mesh.elements=7", "mesh.elements=");
+    assert_int_equal(c.elements, 20);
+    good(BASE, "motion deck.omega=3", "motion deck.amplitude=1 0 0");
+    assert_int_equal(c.n_motions, 1);
+    assert_string_equal(c.motion_label[0], "motion deck");
+    fixed_point();
+    good("[supports]\n", "cable.unstressed_length=1", "cable.mass_per_length=1",
+         "cable.axial_stiffness=1e9", "supports.span=1");
+}
+
+/* -0 and +0 are the same, and so are values written in different ways. */
+static void models(void **state)
+{
+    static const struct {
+        const char *set, *key;
+    } table[] = {
+        {"cable.unstressed_length=10.00000000000001", "cable.unstressed_length"},
+        {"cable.mass_per_length=3", "cable.mass_per_length"},
+        {"cable.axial_stiffness=2e6", "cable.axial_stiffness"},
+        {"supports.span=10.02", "supports.span"},
+        {"supports.drop=-1", "supports.drop"},
+        {"gravity.acceleration=9.82", "gravity.acceleration"},
+        {"mesh.elements=21", "mesh.elements"},
+        {"mesh.law=thesis", "mesh.law"},
+    };
+    (void)state;
+
+    assert_int_equal(read_with(BASE, NULL, &again), SW_OK);
+    good(BASE, "supports.drop=-0", "mesh.elements=020", "cable.axial_stiffness=1000000.0");
+    assert_null(case_model_difference(&again, &c));
+    good(BASE, "damping.alpha=1", "time.end=3", "nonlinear.terms=0", "time.probes=0.1");
+    assert_null(case_model_difference(&again, &c));
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        good(BASE, table[i].set);
+        assert_string_equal(case_model_difference(&again, &c), table[i].key);
+        assert_string_equal(case_model_difference(&c, &again), table[i].key);
+    }
+}
+
+static void names(void **state)
+{
+    (void)state;
+    bad("", "test: is empty; a case with at least [cable] and [supports] is expected");
+    bad("[cable]\n", "test: is empty; a case with at least [cable] and [supports] is expected");
+    bad(BASE "\n[rope]\n", "test:8: unknown section [rope]");
+    bad(BASE "[cables]\nspan = 1\n", "test:7: unknown section [cables]");
+    bad(BASE "[Cable]\narea = 1\n", "test:7: unknown section [Cable]");
+    bad(BASE "# c\n[mesh]\nelement = 1\n", "test:9: unknown key 'element' in [mesh]");
+    bad(BASE "[motion a]\nspan = 1\n", "test:8: unknown key 'span' in [motion a]");
+    bad(BASE "[mesh fine]\nelements = 3\n", "test:7: section [mesh fine] takes no label");
+    bad(BASE "span = 11\n", "test:7: [supports] span was given in line 6 already");
+    bad_set("--set rope: unknown section [rope]", "rope.length=1");
+    bad_set("--set cable.length: unknown key 'length' in [cable]", "cable.length=1");
+    bad_set("--set mesh fine: section [mesh fine] takes no label", "mesh fine.elements=3");
+    bad_set("--set span=3: expected SECTION.KEY=VALUE", "span=3");
+}
+
+static void values(void **state)
+{
+    (void)state;
+    bad(BASE "[mesh]\n\nelements = 1.5\n",
+        "test:9: elements: '1.5': not a whole number (expected 1 to 1000000)");
+    bad(BASE "[mesh]\nelements = 0\n",
+        "test:8: elements: '0': the number is too small (expected 1 to 1000000)");
+    bad(BASE "[mesh]\nelements = 1000001\n",
+        "test:8: elements: '1000001': the number is too large (expected 1 to 1000000)");
+    bad(BASE "[mesh]\nlaw = Hooke\n", "test:8: law: 'Hooke' is not one of: hooke thesis printed");
+    bad(BASE "[mesh]\nlaw = hooke thesis\n",
+        "test:8: law: 'hooke thesis' is not one of: hooke thesis printed");
+    bad(BASE "drop = 1,5\n", "test:7: drop: '1,5': a decimal point is expected, not a comma");
+    bad(BASE "drop = 1 m\n", "test:7: drop: more than 1 number");
+    bad(BASE "drop = 1m\n", "test:7: drop: '1m': not a number");
+    bad(BASE "drop = nan\n", "test:7: drop: 'nan': not a number");
+    bad(BASE "drop = -inf\n", "test:7: drop: '-inf': not a number");
+    bad(BASE "drop = 1e400\n", "test:7: drop: '1e400': the number is too large");
+    bad(BASE "drop = -2e9\n", "test:7: drop: -2e9 is outside of -1e+09 to 1e+09");
+    bad(BASE "[gravity]\nacceleration = -1\n", "test:8: acceleration: -1 is outside of 0 to 1e+06");
+    bad(BASE "[damping]\nzeta = 0.1\nomega = 1 2\n", "test:8: zeta: 2 numbers are expected");
+    bad(BASE "[time]\nstep = automatic\n", "test:8: step: 'automatic': not a number");
+    bad(BASE "[time]\nscheme = alpha\n", "test:8: scheme: 'alpha' is not one of: central");
+    bad(BASE "[time]\nstart = mode 1 0.000000000000000000000000000000000000000000000000000000001\n",
+        "test:8: start: longer than 63 bytes");
+    bad_set("--set supports.drop: '1,5': a decimal point is expected, not a comma",
+            "supports.drop=1,5");
+    bad_set("--set supports.span: 0 is outside of 1e-06 to 1e+09", "supports.span=0");
+}
+
+static void missing(void **state)
+{
+    static const char one[] =
+        "test: [cable] axial_stiffness: give either axial_stiffness or youngs_modulus and area";
+    (void)state;
+
+    bad("[mesh]\nelements = 2\n", "test: [cable] unstressed_length: is missing");
+    bad("[cable]\nunstressed_length = 1\n", "test: [cable] mass_per_length: is missing");
+    bad("[cable]\nunstressed_length = 1\nmass_per_length = 1\n",
+        "test: [supports] span: is missing");
+    refuse_with(BASE, (const char *const[4]){"cable.axial_stiffness="}, SW_FORMAT, one);
+    refuse_with(BASE, (const char *const[4]){"cable.axial_stiffness=", "cable.area=1"}, SW_FORMAT,
+                one);
+    bad("[cable]\nunstressed_length = 10\nmass_per_length = 2\naxial_stiffness = 1e6\narea = 1\n"
+        "[supports]\nspan = 10.01\n",
+        "test:4: axial_stiffness: give either axial_stiffness or youngs_modulus and area");
+    bad("[cable]\nunstressed_length = 10\nmass_per_length = 2\naxial_stiffness = 1e6\narea = 1\n"
+        "youngs_modulus = 1\n[supports]\nspan = 10.01\n",
+        "test:4: axial_stiffness: give either axial_stiffness or youngs_modulus and area");
+    refuse_with(BASE, (const char *const[4]){"gravity.acceleration=0", "supports.span=10"},
+                SW_ADMISSIBLE,
+                "test: without gravity the chord must be longer than the unstressed length");
+}
+
+static void damping(void **state)
+{
+    static const char feeds[] =
+        "--set damping.zeta: these ratios need a negative alpha or beta, which would feed energy";
+    (void)state;
+
+    bad(BASE "[damping]\nzeta = 0.1 0.1\n", "test: [damping] omega: is missing");
+    bad(BASE "[damping]\nomega = 1 2\n", "test: [damping] zeta: is missing");
+    bad(BASE "[damping]\nomega = 1 2\nzeta = 0.1 0.1\nbeta = 0\n",
+        "test:9: zeta: give either alpha and beta or zeta and omega (--set damping.alpha= removes "
+        "a key)");
+    bad(BASE "[damping]\nzeta = 0.1 0.1\nomega = 2 2\n", "test:9: omega: the two must differ");
+    bad_set(feeds, "damping.zeta=0.1 0.0001", "damping.omega=1 100");
+    bad_set(feeds, "damping.zeta=0.001 0.1", "damping.omega=1 10");
+    bad_set("--set damping.zeta: these ratios need an alpha or beta above 1e+09",
+            "damping.zeta=1000 1000", "damping.omega=1e9 9e8");
+}
+
+static void motion_refusals(void **state)
+{
+    (void)state;
+    bad(BASE "[motion a]\nomega = 1\n", "test: [motion a] amplitude: is missing");
+    bad(BASE "[motion]\namplitude = 1 0 0\n", "test: [motion] omega: is missing");
+    bad(BASE "[motion]\namplitude = 1 0\nomega = 1\n", "test:8: amplitude: 3 numbers are expected");
+    bad(BASE "[motion]\namplitude = 1 0 0\nomega = 1\nphase = 1 2\n",
+        "test:10: phase: give one number or three");
+    bad(BASE "[motion]\namplitude = 1 0 0 0\nomega = 1\n",
+        "test:8: amplitude: more than 3 numbers");
+    bad(BASE "[motion]\namplitude = 1 0 0\nomega = 0\n",
+        "test:9: omega: 0 is outside of 1e-09 to 1e+09");
+    bad(BASE "[motion]\nsupport = middle\n", "test:8: support: 'middle' is not one of: right left");
+}
+
+static void disturbance_refusals(void **state)
+{
+    (void)state;
+    bad(BASE "[disturbance]\ntime = 1\n", "test: [disturbance] mode: give either mode or node");
+    bad(BASE "[disturbance x]\nmode = 1\nnode = 1\n", "test:8: mode: give either mode or node");
+    bad(BASE "[disturbance]\nmode = 1\n", "test: [disturbance] amplitude: is missing");
+    bad(BASE "[disturbance]\nmode = 1\namplitude = 1 2\n",
+        "test:9: amplitude: a mode takes one number");
+    bad(BASE "[disturbance]\nnode = 1\namplitude = 1 2\n",
+        "test:9: amplitude: a node takes three numbers");
+    bad(BASE "[disturbance]\nmode = 121\namplitude = 1\n",
+        "test:8: mode: the mesh has fewer modes (six an element)");
+    bad(BASE "[disturbance]\nnode = 20\namplitude = 0 0 1\n",
+        "test:8: node: must lie between the supports, 1 to elements - 1");
+    bad(BASE "[disturbance]\nnode = 0\namplitude = 0 0 1\n",
+        "test:8: node: '0': the number is too small (expected 1 to 1000000)");
+}
+
+static void time_refusals(void **state)
+{
+    static const char *const start[] = {"running",    "mode",      "mode 1",     "mode 0 1",
+                                        "mode 121 1", "mode 1 x",  "mode 1 1 1", "mode x 1",
+                                        "mode 1 nan", "modes 1 1", "static 1",   "mode1 1",
+                                        "rest 1"};
+    char text[512];
+    (void)state;
+
+    bad(BASE "[time]\nend = 0\n", "test:8: end: must be positive");
+    for (size_t i = 0; i < sizeof start / sizeof *start; i++) {
+        snprintf(text, sizeof text, "%s[time]\nstart = %s\n", BASE, start[i]);
+        bad(text, "test:8: start: expected static, rest, or mode K AMPLITUDE with a mode that the "
+                  "mesh has");
+    }
+    bad(BASE "[time]\nstart = rest\n[motion]\namplitude = 1 0 0\nomega = 1\n",
+        "test:8: start: rest needs a ramp in each [motion]");
+    bad(BASE "[nonlinear]\nterms = 4\n",
+        "test:8: terms: '4': the number is too large (expected 0 to 3)");
+    bad(BASE "[time]\nprobes = 0.5 1.01\n", "test:8: probes: 1.01 is outside of 0 to 1");
+}
+
+static void files(void **state)
+{
+    (void)state;
+    assert_int_equal(case_load("none.ini", NULL, &c, &why), SW_READ);
+    assert_string_equal(why.text, "none.ini: cannot be opened: No such file or directory");
+    assert_int_equal(case_load("/", NULL, &c, &why), SW_READ);
+    assert_string_equal(why.text, "/: is a directory; a file is expected");
+    assert_int_equal(case_load("/dev/null", NULL, &c, &why), SW_FORMAT);
+}
+
+static void memory(void **state)
+{
+    static const char *const set[4] = {"mesh.elements=3", "damping.alpha=1", "time.end=2"};
+    enum status s = SW_NOMEM;
+    unsigned long n;
+    (void)state;
+
+    for (n = 1; s != SW_OK; n++) {
+        mem_fail_at(n);
+        s = read_with(BASE "[motion]\namplitude = 1 0 0\nomega = 1\n", set, &c);
+        mem_fail_at(0);
+        if (s != SW_OK) {
+            assert_int_equal(s, SW_NOMEM);
+            assert_string_equal(why.text, "memory ran out");
+        }
+    }
+    assert_true(n > 20);
+}
+
+TEST_MAIN(cmocka_unit_test(defaults), cmocka_unit_test(output_interval),
+          cmocka_unit_test(stiffness_both_ways), cmocka_unit_test(two_point_fit),
+          cmocka_unit_test(one_sided_fit), cmocka_unit_test(motions), cmocka_unit_test(long_labels),
+          cmocka_unit_test(any_number_of_motions), cmocka_unit_test(disturbances),
+          cmocka_unit_test(times), cmocka_unit_test(probes), cmocka_unit_test(sets),
+          cmocka_unit_test(models), cmocka_unit_test(names), cmocka_unit_test(values),
+          cmocka_unit_test(missing), cmocka_unit_test(damping), cmocka_unit_test(motion_refusals),
+          cmocka_unit_test(disturbance_refusals), cmocka_unit_test(time_refusals),
+          cmocka_unit_test(files), cmocka_unit_test(memory))
