@@ -1,5 +1,6 @@
 #!/bin/sh
-# Every example of the manual pages runs: lines that begin with "$ ", continued by "> ".
+# Every example runs: of the manual pages, lines that begin with "$ ", continued by "> "; of the
+# README, indented blocks that begin with a tool or a loop.
 . "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 
@@ -20,4 +21,23 @@ for page in "$top"/man/*.[1-9]; do
     done
     cd ..
 done
+
+mkdir readme && cd readme || exit 1
+sed 's/^end = .*/end = 5/' "$top/scripts/experiments/ben-ahin/case.ini" >stay.ini
+ln -s "$top/scripts" scripts
+awk '/^    / { if (!inside) { inside = 1; n++ } sub(/^    /, ""); print >sprintf("block%02d", n); next }
+     { inside = 0 }' "$top/README.md"
+run=0
+for block in block*; do
+    head -n 1 "$block" | grep -qE '^(catenary|modal|diffverf|for) ' || continue
+    command -v gnuplot >/dev/null || sed -i '/single-cable/d' "$block"
+    sh -eu "./$block" >out 2>err </dev/null
+    status=$?
+    { [ $status -eq 0 ] && [ ! -s err ]; } || sed 's/^/# /' "$block" err
+    { [ $status -eq 0 ] && [ ! -s err ]; }
+    ok $? "README: $(head -n 1 "$block")"
+    run=$((run + 1))
+done
+[ $run -ge 2 ]
+ok $? 'README: the pipeline and the study were found'
 finish
