@@ -185,7 +185,8 @@ for path in model/*.npy; do
         head -c "$cut" "$path" >"torn/${path#model/}"
         diffverf -d torn -o torn.csv stay.ini 2>err
         status=$?
-        [ $status -eq 2 ] && grep -q 'torn/.*: ' err && [ ! -e torn.csv ] || wrong="$wrong $path:$cut"
+        [ $status -eq 2 ] && grep -q 'torn/.*: ' err && [ ! -e torn.csv ] ||
+            wrong="$wrong $path:$cut"
         tried=$((tried + 1))
     done
     cp "$path" torn/
