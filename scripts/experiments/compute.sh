@@ -47,6 +47,17 @@ omega_rows()
         ' "$dir/modes-printed.csv" "$dir/modes.csv"
 }
 
+# irvine_rows MODE...: frequencies of these modes once more, to stand beside a column that the sheets
+# print from Irvine's closed theory for some of them.
+irvine_rows()
+{
+    awk -F, -v wanted=" $* " -v law="$law" '
+        FNR == 1 { file++; next }
+        index(wanted, " " $1 " ") {
+            printf "mode %d by Irvine,%s,%.10g\n", $1, file == 1 ? "law printed" : law, $2
+        }' "$dir/modes-printed.csv" "$dir/modes.csv"
+}
+
 # rayleigh_rows ZETA1 ZETA2 OMEGA1 OMEGA2: the two-point fit of the damping.
 rayleigh_rows()
 {
@@ -61,8 +72,9 @@ response_by_law_printed()
     diffverf --set mesh.law=printed -o "$dir/response-printed.csv" "$case"
 }
 
-# range_row QUANTITY COLUMN FROM TO WHAT SCALE: the least or greatest value or the largest
-# magnitude (WHAT least, greatest, largest) between two times, by both laws.
+# range_row QUANTITY COLUMN FROM TO WHAT SCALE: the least or greatest value, the largest
+# magnitude, or the span from least to greatest (WHAT least, greatest, largest, span) between two
+# times, by both laws.
 range_row()
 {
     awk -F, -v quantity="$1" -v name="$2" -v from="$3" -v to="$4" -v what="$5" -v scale="$6" \
@@ -71,14 +83,21 @@ range_row()
         $1 < from || $1 > to { next }
         {
             x = scale*$c
-            if (what == "largest" && x < 0) x = -x
-            if (n[file]++ == 0 || (what == "least" ? x < best[file] : x > best[file]))
-                best[file] = x
+            if (n[file]++ == 0) low[file] = high[file] = x
+            if (x < low[file]) low[file] = x
+            if (x > high[file]) high[file] = x
+        }
+        function result(f)
+        {
+            if (what == "least") return low[f]
+            if (what == "greatest") return high[f]
+            if (what == "span") return high[f] - low[f]
+            return -low[f] > high[f] ? -low[f] : high[f]
         }
         END {
             for (file = 1; file <= 2; file++)
                 printf "%s,%s,%s\n", quantity, file == 1 ? "law printed" : law,
-                    (n[file] ? sprintf("%.10g", best[file]) : "missing")
+                    (n[file] ? sprintf("%.10g", result(file)) : "missing")
         }' "$dir/response-printed.csv" "$dir/response.csv"
 }
 
