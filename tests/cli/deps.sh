@@ -12,18 +12,18 @@ deps()
 {
     PATH=$scratch/play:$PATH "$top/scripts/deps" "$@"
 }
-wanted=$(awk '$1 == "build" { print $2 }' "$top/scripts/packages" | tr '\n' ' ' | sed 's/ $//')
+packages=$(awk '$1 == "build" { print $2 }' "$top/scripts/packages" | tr '\n' ' ' | sed 's/ $//')
 
 stand_in dpkg-query 'exit 1'
 stand_in id 'echo 1000'
 stand_in apt-get 'echo "$@" >>called'
 runs 1 'not root: stops' deps build
-says "sudo apt-get install -y --no-install-recommends $wanted" 'and prints the one line'
+says "sudo apt-get install -y --no-install-recommends $packages" 'and prints the one line'
 [ ! -e called ]
 ok $? 'without installing'
 stand_in id 'echo 0'
 runs 0 'root: installs' deps build
-[ "$(cat called)" = "install -y --no-install-recommends $wanted" ]
+[ "$(cat called)" = "install -y --no-install-recommends $packages" ]
 ok $? 'what is missing, in one go'
 rm called
 stand_in dpkg-query 'echo install ok installed'
