@@ -1,7 +1,6 @@
 /* diffverf: nonlinear vibration of one cable under moving supports, by central differences. */
 #include "form/modeldir.h"
 #include "form/start.h"
-#include "num/mem.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -138,7 +137,7 @@ static struct grid set_up(void)
     get_modes();
     how = (struct march_options){c.alpha, c.beta, grid.dt, c.terms, c.motion, c.n_motions};
     s = march_new(&model, &how, &march);
-    shape = mem_doubles(model_unknowns(&model));
+    shape = model_vector(&model);
     if (s == SW_OK && !shape)
         s = SW_NOMEM;
     if (s != SW_OK)

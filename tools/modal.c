@@ -1,7 +1,6 @@
 /* modal: eigenfrequencies and modes of one cable; writes the model directory. */
 #include "form/modeldir.h"
 #include "form/start.h"
-#include "num/pi.h"
 
 #include <limits.h>
 
@@ -24,7 +23,8 @@ static void print_modes(const struct modes *p, struct out *o)
 {
     fputs("mode,omega_rad_s,frequency_Hz,period_s,plane\n", o->f);
     for (int i = 0; i < p->k; i++) {
-        const double row[] = {p->omega[i], p->omega[i] / (2 * PI), 2 * PI / p->omega[i]};
+        double hertz = modes_frequency(p, i);
+        const double row[] = {p->omega[i], hertz, 1 / hertz};
 
         fprintf(o->f, "%d,", i + 1);
         for (int j = 0; j < 3; j++) {

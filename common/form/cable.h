@@ -10,7 +10,8 @@
 #include "sys/opt.h"
 #include "sys/out.h"
 
-#define MAX_PROBES 99 /* more do not fit on a line */
+#define CASE_LARGEST 1e9 /* of lengths, times and most other numbers of a case */
+#define MAX_PROBES 99    /* more do not fit on a line */
 
 enum time_start { START_STATIC, START_REST, START_MODE };
 

@@ -97,10 +97,10 @@ enum status march_new(const struct model *m, const struct march_options *o, stru
 
     *ret = (struct march){.model = m, .options = *o, .slack_time = -1};
     ret->omega_max = model_omega_max(m);
-    ret->V = mem_doubles(model_unknowns(m));
-    ret->D = mem_doubles(model_unknowns(m));
-    ret->F = mem_doubles(model_unknowns(m));
-    ret->dd = mem_doubles(model_unknowns(m));
+    ret->V = model_vector(m);
+    ret->D = model_vector(m);
+    ret->F = model_vector(m);
+    ret->dd = model_vector(m);
     s = ret->V && ret->D && ret->F && ret->dd ? SW_OK : SW_NOMEM;
     if (s == SW_OK)
         s = part_new(m, o, PART_PLANE, &ret->part[0]);

@@ -34,6 +34,11 @@ void model_free(struct model *m)
     m->material = NULL;
 }
 
+double *model_vector(const struct model *m)
+{
+    return mem_doubles(model_unknowns(m));
+}
+
 struct element model_element(const struct model *m, int k)
 {
     struct element e = {.h = m->h, .first = GAUSS * k, .m = &m->material[GAUSS * k]};

@@ -36,6 +36,9 @@ static inline size_t model_unknowns(const struct model *m)
     return 6 * ((size_t)m->n + 1);
 }
 
+/* A zero vector over all nodes, to be freed; NULL: memory ran out. */
+double *model_vector(const struct model *m);
+
 /* Element k, 0 <= k < n. */
 struct element model_element(const struct model *m, int k);
 

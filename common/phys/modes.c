@@ -2,6 +2,7 @@
 #include "phys/modes.h"
 #include "num/mem.h"
 #include "num/pencil.h"
+#include "num/pi.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -137,6 +138,11 @@ void modes_free(struct modes *p)
     free(p->phi);
     free(p->plane);
     *p = (struct modes){0};
+}
+
+double modes_frequency(const struct modes *p, int i)
+{
+    return p->omega[i] / (2 * PI);
 }
 
 enum status modes_unit_shape(const struct model *m, const struct modes *p, int i, double *V)

@@ -27,6 +27,9 @@ enum status modes_all(const struct model *m, int k, struct modes *ret);
 
 void modes_free(struct modes *p);
 
+/* Frequency of mode i [Hz]. */
+double modes_frequency(const struct modes *p, int i);
+
 /* V (all nodes) = mode i scaled so that its largest nodal displacement is 1 m.  SW_ADMISSIBLE: the
  * mode has its own nodes at those of the mesh, and moves between them only. */
 enum status modes_unit_shape(const struct model *m, const struct modes *p, int i, double *V);

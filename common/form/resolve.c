@@ -1,0 +1,172 @@
+/* What the keys of a cable mean together: either-or, defaults that depend on others. */
+#include "form/resolve.h"
+#include "num/pi.h"
+#include "sys/number.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static enum status resolve_cable(const struct reading *r, struct cable_case *c)
+{
+    static const char *const one = "give either axial_stiffness or youngs_modulus and area";
+    const char *reason;
+
+    if (isnan(c->cable.L0))
+        return keys_fail(r, "cable", "unstressed_length", "is missing");
+    if (isnan(c->cable.mu))
+        return keys_fail(r, "cable", "mass_per_length", "is missing");
+    if (isnan(c->cable.span))
+        return keys_fail(r, "supports", "span", "is missing");
+    if (isnan(c->youngs_modulus) != isnan(c->area) ||
+        isnan(c->youngs_modulus) != !isnan(c->cable.EA))
+        return keys_fail(r, "cable", "axial_stiffness", one);
+    if (isnan(c->cable.EA))
+        c->cable.EA = c->youngs_modulus * c->area;
+    reason = line_inadmissible(&c->cable);
+    if (reason)
+        return fail(r->why, SW_ADMISSIBLE, "%.400s: %s", r->ini->name, reason);
+    return SW_OK;
+}
+
+/* a - b, 0 where nothing but round-off is left. */
+static double difference(double a, double b)
+{
+    return fabs(a - b) <= 4 * DBL_EPSILON * fmax(fabs(a), fabs(b)) ? 0 : a - b;
+}
+
+/* Two-point fit: zeta_i = alpha/(2 omega_i) + beta omega_i/2. */
+static enum status resolve_damping(const struct reading *r, struct cable_case *c)
+{
+    double *z = c->zeta, *w = c->zeta_omega;
+    double square;
+
+    if (isnan(z[0]) != isnan(w[0]))
+        return keys_fail(r, "damping", isnan(z[0]) ? "zeta" : "omega", "is missing");
+    if (!isnan(z[0])) {
+        if (!isnan(c->alpha) || !isnan(c->beta))
+            return keys_fail(r, "damping", "zeta",
+                             "give either alpha and beta or zeta and omega "
+                             "(--set damping.alpha= removes a key)");
+        square = (w[1] - w[0]) * (w[1] + w[0]);
+        if (square == 0)
+            return keys_fail(r, "damping", "omega", "the two must differ");
+        c->alpha = 2 * w[0] * w[1] * difference(z[0] * w[1], z[1] * w[0]) / square;
+        c->beta = 2 * difference(z[1] * w[1], z[0] * w[0]) / square;
+        if (!(c->alpha >= 0 && c->beta >= 0))
+            return keys_fail(r, "damping", "zeta",
+                             "these ratios need a negative alpha or beta, which would feed energy");
+        if (!(c->alpha <= CASE_LARGEST && c->beta <= CASE_LARGEST))
+            return keys_fail(r, "damping", "zeta",
+                             "these ratios need an alpha or beta above 1e+09");
+        z[0] = z[1] = w[0] = w[1] = NAN;
+    }
+    if (isnan(c->alpha))
+        c->alpha = 0;
+    if (isnan(c->beta))
+        c->beta = 0;
+    return SW_OK;
+}
+
+static enum status resolve_motion(const struct reading *r, const char *section, struct motion *m)
+{
+    if (isnan(m->amplitude[0]))
+        return keys_fail(r, section, "amplitude", "is missing");
+    if (isnan(m->omega))
+        return keys_fail(r, section, "omega", "is missing");
+    if (!isnan(m->phase[1]) && isnan(m->phase[2]))
+        return keys_fail(r, section, "phase", "give one number or three");
+    if (isnan(m->phase[1]))
+        m->phase[1] = m->phase[2] = m->phase[0];
+    return SW_OK;
+}
+
+static enum status resolve_disturbance(const struct reading *r, const char *section,
+                                       const struct cable_case *c, const struct disturbance *d)
+{
+    if ((d->mode < 0) == (d->node < 0))
+        return keys_fail(r, section, "mode", "give either mode or node");
+    if (isnan(d->amplitude[0]))
+        return keys_fail(r, section, "amplitude", "is missing");
+    if (d->mode > 0 && !isnan(d->amplitude[1]))
+        return keys_fail(r, section, "amplitude", "a mode takes one number");
+    if (d->node > 0 && isnan(d->amplitude[2]))
+        return keys_fail(r, section, "amplitude", "a node takes three numbers");
+    if (d->mode > 6 * c->elements)
+        return keys_fail(r, section, "mode", "the mesh has fewer modes (six an element)");
+    if (d->node >= c->elements)
+        return keys_fail(r, section, "node", "must lie between the supports, 1 to elements - 1");
+    return SW_OK;
+}
+
+/* Default of output_every: 1/50 of the shortest excitation period, without a motion 1/50 of the
+ * first lateral period. */
+static double output_interval(const struct cable_case *c)
+{
+    double omega = 0;
+    struct line line;
+
+    for (int i = 0; i < c->n_motions; i++)
+        omega = fmax(omega, c->motion[i].omega);
+    if (omega == 0 && line_solve(&c->cable, &line) == SW_OK)
+        omega = PI / c->cable.span * sqrt(line.H * c->cable.span / (c->cable.mu * c->cable.L0));
+    return fmin(fmax(2 * PI / omega / 50, 1e-12), CASE_LARGEST); /* the key's range */
+}
+
+/* Count the probes; they must fit on one line when they are printed. */
+static enum status resolve_probes(const struct reading *r, struct time_plan *t)
+{
+    char text[NUMBER_SIZE];
+    size_t length = strlen("probes =");
+
+    for (; t->n_probes < MAX_PROBES && !isnan(t->probe[t->n_probes]); t->n_probes++)
+        length += 1 + number_print(t->probe[t->n_probes], text);
+    return length <= INI_LINE_BYTES
+               ? SW_OK
+               : keys_fail(r, "time", "probes", "the list, printed, is longer than 198 bytes");
+}
+
+static enum status resolve_time(const struct reading *r, struct cable_case *c)
+{
+    struct time_plan *t = &c->time;
+    char mode[64], amplitude[64], extra;
+    int n = sscanf(t->start_text, "mode%*[ \t]%63s %63s %c", mode, amplitude, &extra);
+    long k = 0;
+    enum status s = resolve_probes(r, t);
+
+    if (s != SW_OK)
+        return s;
+    if (!isnan(t->end) && !(t->end > 0))
+        return keys_fail(r, "time", "end", "must be positive");
+    if (strcmp(t->start_text, "static") == 0)
+        t->start = START_STATIC;
+    else if (strcmp(t->start_text, "rest") == 0)
+        t->start = START_REST;
+    else if (n == 2 && !integer_read(mode, 1, 6L * c->elements, &k) &&
+             !number_read(amplitude, &t->start_amplitude))
+        t->start = START_MODE;
+    else
+        return keys_fail(
+            r, "time", "start",
+            "expected static, rest, or mode K AMPLITUDE with a mode that the mesh has");
+    t->start_mode = (int)k;
+    for (int i = 0; i < c->n_motions && t->start == START_REST; i++)
+        if (!(c->motion[i].ramp > 0))
+            return keys_fail(r, "time", "start", "rest needs a ramp in each [motion]");
+    if (isnan(t->output_every))
+        t->output_every = output_interval(c);
+    return SW_OK;
+}
+
+enum status case_resolve(const struct reading *r, struct cable_case *c)
+{
+    enum status s = resolve_cable(r, c);
+
+    if (s == SW_OK)
+        s = resolve_damping(r, c);
+    for (int i = 0; i < c->n_motions && s == SW_OK; i++)
+        s = resolve_motion(r, c->motion_label[i], &c->motion[i]);
+    for (int i = 0; i < c->n_disturbances && s == SW_OK; i++)
+        s = resolve_disturbance(r, c->disturbance_label[i], c, &c->disturbance[i]);
+    return s == SW_OK ? resolve_time(r, c) : s;
+}
