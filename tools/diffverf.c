@@ -47,11 +47,13 @@ static struct grid lay_grid(void)
 
     if (dt > critical)
         die(SW_DIVERGED,
-            "t = 0 s: would diverge: the step of %.6g s is longer than the critical %.6g s; set "
+            "t = 0 s: would diverge: the step of %.6g s%s is longer than the critical %.6g s; set "
             "time.step = auto or to less than that",
-            dt, critical);
+            dt, dt < t->step ? " (time.step, shortened to divide output_every)" : "", critical);
     if (!(rows * substeps <= MAX_STEPS))
         die(SW_USAGE, "[time]: %.3g steps are more than can be done", rows * substeps);
+    if (c.n_motions == 0 && c.n_disturbances == 0 && c.time.start != START_MODE)
+        warn("nothing moves this cable: no [motion], no [disturbance], no start in a mode");
     if (rows < 2)
         warn("time.end comes before the first output_every of %g s: only t = 0 is printed",
              t->output_every);

@@ -31,6 +31,7 @@ static enum status take_numbers(const struct reading *r, const struct ini_entry 
                                 const struct key *k, const char *text, double *to)
 {
     char copy[INI_LINE_BYTES + 1], *word, *rest = NULL;
+    double more;
     int n = 0;
 
     for (int i = 0; i < k->most; i++)
@@ -43,12 +44,16 @@ static enum status take_numbers(const struct reading *r, const struct ini_entry 
     for (word = strtok_r(copy, " \t", &rest); word; word = strtok_r(NULL, " \t", &rest)) {
         const char *reason;
 
+        if (n == k->most && number_read(word, &more))
+            return ini_fail(r->why, r->ini, e, "%s: '%s' is no number; units are fixed", k->name,
+                            word);
         if (n == k->most)
             return ini_fail(r->why, r->ini, e, "%s: more than %d number%s", k->name, k->most,
                             k->most > 1 ? "s" : "");
         reason = number_read(word, &to[n]);
         if (reason)
-            return ini_fail(r->why, r->ini, e, "%s: '%s': %s", k->name, word, reason);
+            return ini_fail(r->why, r->ini, e, "%s: '%s': %s%s", k->name, word, reason,
+                            strchr(word, ',') && k->most > 1 ? "; blanks separate numbers" : "");
         if (!(to[n] >= k->min && to[n] <= k->max))
             return ini_fail(r->why, r->ini, e, "%s: %s is outside of %g to %g", k->name, word,
                             k->min, k->max);
@@ -147,6 +152,20 @@ enum status keys_judge_names(const struct reading *r)
     return SW_OK;
 }
 
+/* Whether the section stands nowhere in the file. */
+static int began_by_set(const struct ini *ini, const char *section)
+{
+    int by_set = 0;
+
+    for (int i = 0; i < ini->n_sections; i++)
+        if (strcmp(ini->section[i].section, section) == 0) {
+            if (ini->section[i].line > 0)
+                return 0;
+            by_set = 1;
+        }
+    return by_set;
+}
+
 enum status keys_fail(const struct reading *r, const char *section, const char *key,
                       const char *text)
 {
@@ -154,6 +173,8 @@ enum status keys_fail(const struct reading *r, const char *section, const char *
 
     if (e)
         return ini_fail(r->why, r->ini, e, "%s: %s", key, text);
+    if (began_by_set(r->ini, section))
+        return fail(r->why, SW_USAGE, "--set began a new section [%s]: %s: %s", section, key, text);
     return fail(r->why, SW_FORMAT, "%.400s: [%s] %s: %s", r->ini->name, section, key, text);
 }
 

@@ -3,6 +3,21 @@
 
 #include <stdlib.h>
 
+/* Numbers that are admissible, but seldom meant: most come from a wrong unit. */
+static void warn_of_units(const struct cable_case *c)
+{
+    double density = c->cable.mu / c->area, strain = line_chord(&c->cable) / c->cable.L0 - 1;
+
+    if (density < 500 || density > 30000)
+        warn("mass_per_length and area make a density of %.3g kg/m3: are the units right?",
+             density);
+    if (c->youngs_modulus < 1e8 || c->youngs_modulus > 1e12)
+        warn("youngs_modulus = %.3g Pa: is the unit right?", c->youngs_modulus);
+    if (strain > 0.05)
+        warn("the chord is %.3g %% longer than the unstressed cable: are the units right?",
+             100 * strain);
+}
+
 void start_case(const struct opt_tool *tool, struct opt_common *common, int argc, char **argv,
                 struct cable_case *ret)
 {
@@ -17,6 +32,7 @@ void start_case(const struct opt_tool *tool, struct opt_common *common, int argc
         opt_usage(tool);
     must(case_load(argv[operand], &common->sets, ret, &why), &why);
     opt_list_free(&common->sets);
+    warn_of_units(ret);
     if (common->print_case) {
         struct out o;
 

@@ -127,6 +127,18 @@ says '[time] end: is missing' 'is named'
 runs 2 'absurd number of steps' diffverf --set time.end=1e9 --set time.step=1e-12 stay.ini
 says 'more than can be done' 'is refused'
 
+runs 0 'millimetres for metres' catenary --set cable.area=8260 stay.ini
+says 'make a density of 0.00785 kg/m3: are the units right?' 'the density is doubted'
+runs 0 'gigapascals for pascals' catenary --set cable.youngs_modulus=210 stay.ini
+says 'youngs_modulus = 210 Pa: is the unit right?' 'the modulus is doubted'
+runs 0 'centimetres for metres' catenary --set supports.span=11050 stay.ini
+says 'longer than the unstressed cable: are the units right?' 'the strain is doubted'
+runs 0 'nothing that moves' diffverf --set 'motion deck.amplitude=' --set 'motion deck.omega=' \
+    --set 'motion deck.support=' --set time.end=1 stay.ini
+says 'nothing moves this cable' 'is a warning'
+runs 2 'list with commas' diffverf --set time.probes=0.25,0.5 stay.ini
+says 'blanks separate numbers' 'says how it is written'
+
 modal -d model stay.ini >modes.csv
 runs 0 'modes from the directory' diffverf -d model --set disturbance.mode=3 \
     --set disturbance.amplitude=0.1 --set time.end=0.5 -o a.csv stay.ini

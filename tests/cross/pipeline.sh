@@ -189,10 +189,18 @@ done
 ok $? 'single-cable: the case from stdin'
 same "$scratch/run/response.csv" "$scratch/run3/response.csv" 'single-cable: stdin gives the same'
 
-# The first failure ends it: no motion without an end of time.
+runs 2 'single-cable: no -o' "$top/scripts/single-cable" "$scratch/case.ini" "$scratch/run2" -o x
+runs 2 'single-cable: no case' "$top/scripts/single-cable" "$scratch/none.ini" "$scratch/none"
+[ ! -e "$scratch/none" ]
+ok $? 'single-cable: and no directory'
+
+# The first failure ends it: no motion without an end of time; old results are gone.
+mkdir "$scratch/run4" && cp "$scratch/run/response.csv" "$scratch/run/line.png" "$scratch/run4"
+
 runs 2 'single-cable: a case without motion' "$top/scripts/single-cable" "$scratch/case.ini" \
     "$scratch/run4" --set time.end=
-[ -s "$scratch/run4/modes.csv" ] && [ ! -e "$scratch/run4/line.png" ]
+[ -s "$scratch/run4/modes.csv" ] && [ ! -e "$scratch/run4/line.png" ] &&
+    [ ! -e "$scratch/run4/response.csv" ]
 ok $? 'single-cable: stopped at diffverf'
 
 # Odd cables are drawn as well: steep, straight, one element, no end of motion to speak of.

@@ -387,7 +387,7 @@ static void values(void **state)
     bad(BASE "[mesh]\nlaw = hooke thesis\n",
         "test:8: law: 'hooke thesis' is not one of: hooke thesis printed");
     bad(BASE "drop = 1,5\n", "test:7: drop: '1,5': a decimal point is expected, not a comma");
-    bad(BASE "drop = 1 m\n", "test:7: drop: more than 1 number");
+    bad(BASE "drop = 1 m\n", "test:7: drop: 'm' is no number; units are fixed");
     bad(BASE "drop = 1m\n", "test:7: drop: '1m': not a number");
     bad(BASE "drop = nan\n", "test:7: drop: 'nan': not a number");
     bad(BASE "drop = -inf\n", "test:7: drop: '-inf': not a number");
