@@ -94,7 +94,7 @@ $(BUILD)/fuzz/%: tests/fuzz/%.c $(wildcard common/*/*.[ch])
 
 fuzz: $(LIBFUZZ)
 	@for t in $(LIBFUZZ); do n=$${t##*/}; mkdir -p $(BUILD)/corpus/$$n; \
-	  $$t -max_total_time=$(SECONDS) -max_len=4096 -print_final_stats=1 -close_fd_mask=1 \
+	  $$t -max_total_time=$(SECONDS) -max_len=4096 -timeout=10 -print_final_stats=1 -close_fd_mask=1 \
 	    $(BUILD)/corpus/$$n tests/fuzz/corpus/$${n%_fuzz} || exit 1; done
 
 -include $(COMMON:.o=.d) $(wildcard $(BUILD)/obj/tools/*.d $(BUILD)/obj/tests/*.d $(BUILD)/obj/tests/*/*.d)

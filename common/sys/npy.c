@@ -176,7 +176,7 @@ enum status npy_read(const struct in *in, struct npy *ret, struct why *why)
     free(header);
     if (s == SW_OK)
         s = read_data(in, ret, why);
-    if (s == SW_OK && !fortran && ret->dims == 2)
+    if (s == SW_OK && !fortran && ret->dims == 2 && ret->rows * ret->columns > 0)
         s = turn(ret, why);
     if (s != SW_OK)
         npy_free(ret);

@@ -5,7 +5,7 @@
 for program in "$SEILWERK_BUILD"/tests/fuzz_*_fuzz; do
     name=$(basename "$program" _fuzz)
     name=${name#fuzz_}
-    runs 0 "$name: corpus" "$program" "$top/tests/fuzz/corpus/$name"
+    runs 0 "$name: corpus" timeout 20 "$program" "$top/tests/fuzz/corpus/$name"
     grep -q '^[1-9][0-9]* inputs$' "$scratch/out"
     ok $? "$name: the corpus is not empty"
 done
