@@ -7,18 +7,18 @@
 }
 
 runs 0 'make install' make -s -C "$top" install BUILD="$SEILWERK_BUILD" \
-    DESTDIR="$scratch/root" PREFIX=/opt/sw PROGRAM_PREFIX=x-
+    DESTDIR="$scratch/stage" PREFIX=/opt/sw PROGRAM_PREFIX=x-
 for tool in catenary modal diffverf; do
-    "$scratch/root/opt/sw/bin/x-$tool" --version >/dev/null
+    "$scratch/stage/opt/sw/bin/x-$tool" --version >/dev/null
     ok $? "x-$tool runs"
-    cmp "$top/man/$tool.1" "$scratch/root/opt/sw/share/man/man1/x-$tool.1" >&2
+    cmp "$top/man/$tool.1" "$scratch/stage/opt/sw/share/man/man1/x-$tool.1" >&2
     ok $? "x-$tool has its page"
 done
-[ -f "$scratch/root/opt/sw/share/man/man5/seilwerk-case.5" ] &&
-    [ -f "$scratch/root/opt/sw/share/man/man7/seilwerk.7" ]
+[ -f "$scratch/stage/opt/sw/share/man/man5/seilwerk-case.5" ] &&
+    [ -f "$scratch/stage/opt/sw/share/man/man7/seilwerk.7" ]
 ok $? 'the other pages keep their names'
 runs 0 'make uninstall' make -s -C "$top" uninstall BUILD="$SEILWERK_BUILD" \
-    DESTDIR="$scratch/root" PREFIX=/opt/sw PROGRAM_PREFIX=x-
-[ -z "$(find "$scratch/root" -type f)" ]
+    DESTDIR="$scratch/stage" PREFIX=/opt/sw PROGRAM_PREFIX=x-
+[ -z "$(find "$scratch/stage" -type f)" ]
 ok $? 'nothing is left'
 finish
