@@ -105,6 +105,8 @@ static void find_equilibrium(void)
     if (s == SW_ADMISSIBLE)
         die(s, "the supports at t = 0 leave no static line: span %g m, drop %g m",
             hypot(c.cable.span + u[3] - u[0], u[5] - u[2]), c.cable.drop + u[4] - u[1]);
+    if (s == SW_NOMEM)
+        die(s, "equilibrium at t = 0: %s", status_text(s));
     if (s != SW_OK)
         die(s, "no equilibrium was found for the supports at t = 0; is the cable slack there?  "
                "time.start = rest with a ramp does without it");
