@@ -20,7 +20,7 @@ OWN_CPPFLAGS = -D_GNU_SOURCE -DSEILWERK_VERSION='"$(VERSION)"' -Icommon \
 OWN_CFLAGS = -std=c11 $(WARN) $(HARDEN)
 COMPILE = $(CC) $(OWN_CPPFLAGS) $(OWN_CFLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK = $(CC) $(OWN_CFLAGS) $(HARDEN_LD) $(CFLAGS) $(LDFLAGS)
-LIBS = -Wl,--as-needed -llapacke -lopenblas -linih -lcsv -lm
+LIBS = -Wl,--as-needed -larpack -llapacke -lopenblas -linih -lcsv -lm
 
 TOOLS = $(patsubst tools/%.c,%,$(wildcard tools/*.c))
 COMMON = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard common/*/*.c))

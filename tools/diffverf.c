@@ -77,10 +77,10 @@ static void get_modes(void)
             die(SW_USAGE, "%s: holds %d modes; mode %d is wanted", args.common.dir, modes.k,
                 wanted);
     } else if (wanted > 0) {
-        s = modes_all(&model, wanted, &modes);
+        s = modes_lowest(&model, wanted, SOLVER_AUTO, &modes);
         if (s == SW_ADMISSIBLE)
-            die(s, "a mode is wanted, which takes up to %d elements; the case has %d",
-                MODES_MAX_ELEMENTS, c.elements);
+            die(s, "mode %d is wanted; more than %d elements allow modes up to %d", wanted,
+                MODES_MAX_ELEMENTS, modes_lanczos_most(c.elements));
         if (s != SW_OK)
             die(s, "modes: %s", status_text(s));
     }
@@ -97,11 +97,13 @@ static void take_mode(int k)
 /* shape := equilibrium for the supports where they are at t = 0. */
 static void find_equilibrium(void)
 {
-    double u[6];
+    double u[6], b[6];
     enum status s;
 
     motion_sum(c.motion, c.n_motions, 0, u, NULL, NULL);
-    s = model_equilibrium(&model, c.terms, u, shape);
+    axes_to_plane(&model.axes, u, b);
+    axes_to_plane(&model.axes, u + 3, b + 3);
+    s = model_equilibrium(&model, c.terms, b, shape);
     if (s == SW_ADMISSIBLE)
         die(s, "the supports at t = 0 leave no static line: span %g m, drop %g m",
             hypot(c.cable.span + u[3] - u[0], u[5] - u[2]), c.cable.drop + u[4] - u[1]);
@@ -152,14 +154,17 @@ static struct grid set_up(void)
 
 static void disturb(const struct disturbance *d)
 {
+    double v[3];
+
     if (d->mode > 0) {
         take_mode(d->mode);
         march_kick(&march, (enum kick)d->kind, d->amplitude[0], shape);
         return;
     }
     memset(shape, 0, sizeof *shape * model_unknowns(&model));
+    axes_to_plane(&model.axes, d->amplitude, v);
     for (int axis = 0; axis < 3; axis++)
-        shape[6 * d->node + 2 * axis] = d->amplitude[axis];
+        shape[6 * d->node + 2 * axis] = v[axis];
     march_kick(&march, (enum kick)d->kind, 1, shape);
 }
 

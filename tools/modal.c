@@ -49,7 +49,8 @@ int main(int argc, char **argv)
         die(SW_USAGE, "option --modes: the mesh has only %d modes", 6 * c.elements);
     s = model_new(&c.cable, (enum law)c.law, c.elements, &m);
     if (s == SW_OK)
-        s = modes_all(&m, args.modes > 0 ? (int)args.modes : 6 * c.elements, &modes);
+        s = modes_lowest(&m, args.modes > 0 ? (int)args.modes : 6 * c.elements, SOLVER_AUTO,
+                         &modes);
     if (s == SW_ADMISSIBLE)
         die(s, "all modes are solved for at once, which takes up to %d elements; the case has %d",
             MODES_MAX_ELEMENTS, c.elements);

@@ -2,7 +2,9 @@
 #include "num/band.h"
 #include "num/mem.h"
 
+#include <float.h>
 #include <lapacke.h>
+#include <math.h>
 #include <stdlib.h>
 
 enum status band_new(int n, int kd, struct band *ret)
@@ -154,8 +156,8 @@ static inline double backward(const double *l, int kd, int count, const double *
     return count > 0 ? sum - l[kd - 1] * fresh : sum;
 }
 
-/* Both substitutions; the caller's constant kd lets the compiler unroll. */
-static inline void solve(const struct band_factor *F, int kd, double *x)
+/* x := L^{-1} x and x := L^{-T} x; the caller's constant kd lets the compiler unroll. */
+static inline void solve_forward(const struct band_factor *F, int kd, double *x)
 {
     int n = F->n, ragged = n < kd ? n : kd; /* rows that the matrix' corner cuts short */
     const double *l = F->row;
@@ -165,21 +167,94 @@ static inline void solve(const struct band_factor *F, int kd, double *x)
         x[j] = fresh = forward(l, kd, j, x, j, fresh);
     for (int j = ragged; j < n; j++, l += kd)
         x[j] = fresh = forward(l, kd, kd, x, j, fresh);
-    for (int j = 0; j < n; j++)
-        x[j] *= F->inverse[j];
-    l = F->column + (size_t)kd * (size_t)n;
+}
+
+static inline void solve_backward(const struct band_factor *F, int kd, double *x)
+{
+    int n = F->n, ragged = n < kd ? n : kd;
+    const double *l = F->column + (size_t)kd * (size_t)n;
+    double fresh = 0;
+
     for (int j = n - 1; j >= n - ragged; j--)
         x[j] = fresh = backward(l -= kd, kd, n - 1 - j, x, j, fresh);
     for (int j = n - 1 - ragged; j >= 0; j--)
         x[j] = fresh = backward(l -= kd, kd, kd, x, j, fresh);
 }
 
-void band_solve(const struct band_factor *F, double *x)
+static void forward_any(const struct band_factor *F, double *x)
 {
     switch (F->kd) {
-    case 3: solve(F, 3, x); break;
-    case 7: solve(F, 7, x); break;
-    case 11: solve(F, 11, x); break;
-    default: solve(F, F->kd, x);
+    case 3: solve_forward(F, 3, x); break;
+    case 7: solve_forward(F, 7, x); break;
+    case 11: solve_forward(F, 11, x); break;
+    default: solve_forward(F, F->kd, x);
+    }
+}
+
+static void backward_any(const struct band_factor *F, double *x)
+{
+    switch (F->kd) {
+    case 3: solve_backward(F, 3, x); break;
+    case 7: solve_backward(F, 7, x); break;
+    case 11: solve_backward(F, 11, x); break;
+    default: solve_backward(F, F->kd, x);
+    }
+}
+
+void band_solve(const struct band_factor *F, double *x)
+{
+    forward_any(F, x);
+    for (int j = 0; j < F->n; j++)
+        x[j] *= F->inverse[j];
+    backward_any(F, x);
+}
+
+void band_solve_lower(const struct band_factor *F, double *x)
+{
+    forward_any(F, x);
+    for (int j = 0; j < F->n; j++)
+        x[j] *= sqrt(F->inverse[j]);
+}
+
+void band_solve_upper(const struct band_factor *F, double *x)
+{
+    for (int j = 0; j < F->n; j++)
+        x[j] *= sqrt(F->inverse[j]);
+    backward_any(F, x);
+}
+
+/*
+ * Elimination of A - sigma B column by column.  Only the triangle of the next kd columns that the
+ * earlier ones have changed is kept: change[a][b] goes to entry (j + a, j + b), a >= b.
+ */
+static inline int count_below(const struct band *A, const struct band *B, double sigma, int kd)
+{
+    double change[BAND_COUNT_KD + 1][BAND_COUNT_KD + 1] = {{0}};
+    int below = 0;
+
+    for (int j = 0; j < A->n; j++) {
+        const double *a = band_at(A, j, j), *b = band_at(B, j, j);
+        double c[BAND_COUNT_KD + 1] = {0}, inverse;
+
+        for (int i = 0; i <= kd; i++)
+            c[i] = a[i] - sigma * (i <= B->kd ? b[i] : 0) + change[i][0];
+        below += c[0] < 0;
+        inverse = 1 / (c[0] != 0 ? c[0] : DBL_MIN);
+        for (int q = 1; q <= kd; q++) {
+            double l = c[q] * inverse;
+
+            for (int p = q; p <= kd; p++)
+                change[p - 1][q - 1] = (p < kd ? change[p][q] : 0) - l * c[p];
+        }
+    }
+    return below;
+}
+
+int band_count_below(const struct band *A, const struct band *B, double sigma)
+{
+    switch (A->kd) {
+    case 3: return count_below(A, B, sigma, 3);
+    case 7: return count_below(A, B, sigma, 7);
+    default: return count_below(A, B, sigma, A->kd);
     }
 }

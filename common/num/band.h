@@ -1,5 +1,5 @@
 /*
- * Symmetric band matrices: products, Cholesky factor, solution.
+ * Symmetric band matrices: products, Cholesky factor, solution, Sturm count.
  *
  * Storage is LAPACK's lower band form, column by column: A(i,j), i = j..j+kd, stands at
  * a[(i - j) + (kd + 1) * j]; the kd (kd + 1)/2 places below the last row are kept at zero.  A band
@@ -70,5 +70,15 @@ void band_factor_free(struct band_factor *F);
 
 /* x := A^{-1} x, n entries. */
 void band_solve(const struct band_factor *F, double *x);
+
+/* The two halves of it, A = C C^T with C = L sqrt(D):  x := C^{-1} x,  x := C^{-T} x. */
+void band_solve_lower(const struct band_factor *F, double *x);
+void band_solve_upper(const struct band_factor *F, double *x);
+
+/* How many eigenvalues of A x = lambda B x (B positive definite, half bandwidth not above A's, at
+ * most BAND_COUNT_KD) lie below sigma: the negative pivots of A - sigma B = L D L^T (Sylvester).
+ * Exact for a pencil that is perturbed by round-off.  No allocation. */
+#define BAND_COUNT_KD 11
+int band_count_below(const struct band *A, const struct band *B, double sigma);
 
 #endif

@@ -118,6 +118,36 @@ void element_force(const struct element *e, int terms, const double v[12], doubl
     }
 }
 
+double element_strain_energy(const struct element *e, const double v[12])
+{
+    double sum = 0;
+
+    for (int q = 0; q < GAUSS; q++) {
+        const struct material *m = &e->m[q];
+        const double *f1 = e->slope[q];
+        double w[3], along;
+
+        for (int c = 0; c < 3; c++) /* f1[0] = -f1[2]: the difference of the ends first */
+            w[c] = f1[2] * (v[2 * c + 6] - v[2 * c]) + f1[1] * v[2 * c + 1] + f1[3] * v[2 * c + 7];
+        along = m->x1 * w[0] + m->x2 * w[1];
+        sum += gauss_weight[q] *
+               (m->EA * along * along + m->T * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
+    }
+    return sum * e->h;
+}
+
+double element_product(const double mass[16], const double v[12], const double w[12])
+{
+    double sum = 0;
+
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 4; j++)
+                sum +=
+                    mass[i + 4 * j] * v[i / 2 * 6 + 2 * c + i % 2] * w[j / 2 * 6 + 2 * c + j % 2];
+    return sum;
+}
+
 /* 3x3 tangent of the force density by w at one point, symmetric. */
 static void density_tangent(const struct material *m, int terms, int definite, const double w[3],
                             double ret[9])

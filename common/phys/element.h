@@ -61,6 +61,12 @@ struct strain_watch {
 void element_force(const struct element *e, int terms, const double v[12], double F[12],
                    struct strain_watch *watch);
 
+/* v^T K v of the linear element: twice its strain energy [N m]. */
+double element_strain_energy(const struct element *e, const double v[12]);
+
+/* v^T M w, mass as from element_mass. */
+double element_product(const double mass[16], const double v[12], const double w[12]);
+
 /*
  * Tangent stiffness 12x12 at v, column-major; v = 0: the linear K.  Exact for terms 0, 2, 3; for
  * terms = 1, whose force has no potential, that of terms = 2.  With definite set it is that of all

@@ -212,12 +212,43 @@ void line_stiffness(const struct line *s, double ret[9])
     ret[8] = s->H / s->cable.span;
 }
 
+void line_piece(const struct line *s, double a, double b, struct line *ret)
+{
+    double per_metre = s->W / s->cable.L0, x[2];
+    struct piece p;
+
+    *ret = *s;
+    ret->cable.L0 = b - a;
+    ret->W = per_metre * (b - a);
+    ret->V = s->V - per_metre * a;
+    p = cut(ret->cable.L0, ret->W, ret->H, ret->V);
+    chord(&p, s->cable.EA, ret->H, ret->V, x);
+    ret->cable.span = x[0];
+    ret->cable.drop = x[1];
+}
+
+/* (h1 l2 - h2 l1)/l of the two pieces' chords: no difference of places that nearly agree. */
+double line_below_chord(const struct line *s, double theta)
+{
+    struct line left, right;
+
+    line_piece(s, 0, theta, &left);
+    line_piece(s, theta, s->cable.L0, &right);
+    return (left.cable.drop * right.cable.span - right.cable.drop * left.cable.span) /
+           s->cable.span;
+}
+
+double line_deepest(const struct line *s)
+{
+    const struct cable *c = &s->cable;
+    double parallel = s->H / c->span * c->drop; /* V of a tangent along the chord */
+
+    return s->W > 0 ? fmin(fmax((s->V - parallel) / s->W, 0), 1) * c->L0 : c->L0 / 2;
+}
+
 double line_sag(const struct line *s)
 {
-    struct line_point mid;
-
-    line_at(s, s->cable.L0 / 2, &mid);
-    return mid.x2 - s->cable.drop * mid.x1 / s->cable.span;
+    return line_below_chord(s, s->cable.L0 / 2);
 }
 
 /*

@@ -49,6 +49,15 @@ void line_flexibility(const struct line *s, double ret[4]);
 /* Exact stiffness [N/m] of the right end against the left one, 3x3 symmetric, axes x1 x2 x3. */
 void line_stiffness(const struct line *s, double ret[9]);
 
+/* The piece from theta a to b, a < b, as a line of its own; its origin is the point at a. */
+void line_piece(const struct line *s, double a, double b, struct line *ret);
+
+/* How far the point at theta, 0 < theta < L0, lies below the chord along axis 2 [m]. */
+double line_below_chord(const struct line *s, double theta);
+
+/* theta of the point farthest below the chord, where the tangent is parallel to it [m]. */
+double line_deepest(const struct line *s);
+
 /* Sag at theta = L0/2, vertically below the chord [m]. */
 double line_sag(const struct line *s);
 

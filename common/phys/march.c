@@ -133,6 +133,21 @@ double march_time(const struct march *m)
     return (double)m->step * m->options.dt;
 }
 
+/* Motion of the supports at t in the axes of the line's plane; v and a as in motion_sum. */
+static void supports(const struct march *m, double t, double u[6], double v[6], double a[6])
+{
+    const struct axes *axes = &m->model->axes;
+    double *const all[3] = {u, v, a};
+
+    motion_sum(m->options.motion, m->options.n_motions, t, u, v, a);
+    for (int i = 0; i < 3 && !axes_are_plain(axes); i++)
+        for (int at = 0; all[i] && at < 6; at += 3) {
+            double x[3] = {all[i][at], all[i][at + 1], all[i][at + 2]};
+
+            axes_to_plane(axes, x, all[i] + at);
+        }
+}
+
 /*
  * Solve A x = p->x with the held unknowns at given values (by support component, 6).  Keeps the
  * right side of the held rows in p->residual.
@@ -191,8 +206,8 @@ enum status march_start(struct march *m, const double *V0)
     int held[6];
     enum status s;
 
-    motion_sum(m->options.motion, m->options.n_motions, 0, u, v, a);
-    motion_sum(m->options.motion, m->options.n_motions, -dt, past, NULL, NULL);
+    supports(m, 0, u, v, a);
+    supports(m, -dt, past, NULL, NULL);
     model_prescribed(m->model, held);
     m->step = 0;
     for (size_t i = 0; i < model_unknowns(m->model); i++) {
@@ -255,8 +270,7 @@ enum status march_solve(struct march *m)
     if (s != SW_OK)
         return s;
     model_prescribed(m->model, held);
-    motion_sum(m->options.motion, m->options.n_motions, (double)(m->step + 1) * m->options.dt, next,
-               NULL, NULL);
+    supports(m, (double)(m->step + 1) * m->options.dt, next, NULL, NULL);
     for (int i = 0; i < 6; i++) /* from V itself: round-off does not add up */
         dd[i] = next[i] - m->V[held[i]] - m->D[held[i]];
     for (int i = 0; i < 2; i++) {
@@ -270,10 +284,8 @@ enum status march_solve(struct march *m)
 void march_support_force(const struct march *m, double ret[6])
 {
     const struct line *s = &m->model->line;
-    const double at_rest[6] = {-s->H, -s->V, 0, s->H, s->V - s->W, 0};
+    double force[6] = {-s->H, -s->V, 0, s->H, s->V - s->W, 0};
 
-    for (int i = 0; i < 6; i++)
-        ret[i] = at_rest[i];
     for (int part = 0; part < 2; part++) {
         const struct march_part *p = &m->part[part];
 
@@ -283,9 +295,11 @@ void march_support_force(const struct march *m, double ret[6])
             for (int j = p->held[i] - p->A.kd; j <= p->held[i] + p->A.kd; j++)
                 if (j >= 0 && j < p->A.n)
                     R += band_get(&p->A, p->held[i], j) * p->x[j];
-            ret[support_component(p, i)] += R;
+            force[support_component(p, i)] += R;
         }
     }
+    axes_to_space(&m->model->axes, force, ret);
+    axes_to_space(&m->model->axes, force + 3, ret + 3);
 }
 
 void march_advance(struct march *m)

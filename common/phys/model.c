@@ -15,6 +15,7 @@ enum status model_new(const struct cable *c, enum law law, int n, struct model *
         return s;
     if (n < 1)
         return SW_ADMISSIBLE;
+    ret->axes = (struct axes){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     ret->law = law;
     ret->n = n;
     ret->h = c->L0 / n;
@@ -183,6 +184,21 @@ void model_force(const struct model *m, int terms, const double *V, double *F,
     }
 }
 
+double model_quotient(const struct model *m, const double *V)
+{
+    double mass[16], strain = 0, kinetic = 0;
+
+    element_mass(m->line.cable.mu, m->h, mass);
+    for (int k = 0; k < m->n; k++) {
+        struct element e = model_element(m, k);
+        const double *v = V + 6 * (size_t)k;
+
+        strain += element_strain_energy(&e, v);
+        kinetic += element_product(mass, v, v);
+    }
+    return strain / kinetic;
+}
+
 double model_gauss_theta(const struct model *m, int point)
 {
     return m->h * (point / GAUSS + gauss_at[point % GAUSS]);
@@ -191,21 +207,20 @@ double model_gauss_theta(const struct model *m, int point)
 void model_probe(const struct model *m, double fraction, const double *V, double v[3],
                  double *tension)
 {
-    double at = fraction * m->n, f[4], f1[4], w[3] = {0, 0, 0}, gamma;
+    double at = fraction * m->n, f[4], f1[4], u[3] = {0, 0, 0}, w[3] = {0, 0, 0}, gamma;
     int k = at < m->n ? (int)at : m->n - 1;
     const double *node = V + 6 * (size_t)k;
     struct material here;
 
     hermite(m->h, at - k, f, f1);
-    for (int c = 0; c < 3; c++) {
-        v[c] = 0;
+    for (int c = 0; c < 3; c++)
         for (int i = 0; i < 4; i++) {
             double unknown = node[i / 2 * 6 + 2 * c + i % 2];
 
-            v[c] += f[i] * unknown;
+            u[c] += f[i] * unknown;
             w[c] += f1[i] * unknown;
         }
-    }
+    axes_to_space(&m->axes, u, v);
     if (!tension)
         return;
     material_at(&m->line, m->law, fraction * m->line.cable.L0, &here);

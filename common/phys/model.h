@@ -3,17 +3,20 @@
  *
  * Unknown 6 node + c, c = 0..5 for v1, v1,1, v2, v2,1, v3, v3,1; node 0 is the left support.  Only
  * v1, v2, v3 of the two supports are prescribed, in this order left then right; the other 6 n are
- * free.  Vectors over all nodes have 6 (n + 1) entries.  The plane of the static line (c = 0..3)
- * and the lateral direction (c = 4, 5) decouple in all linear matrices.
+ * free.  Vectors over all nodes have 6 (n + 1) entries, in the axes of the line's plane.  The plane
+ * of the static line (c = 0..3) and the lateral direction (c = 4, 5) decouple in all linear
+ * matrices.
  */
 #ifndef SEILWERK_PHYS_MODEL_H
 #define SEILWERK_PHYS_MODEL_H
 
 #include "num/band.h"
 #include "phys/element.h"
+#include "phys/load.h"
 
 struct model {
     struct line line;
+    struct axes axes; /* of the line's plane; those of space itself until they are set */
     enum law law;
     int n;    /* elements, >= 1 */
     double h; /* unstressed length of each [m] */
@@ -85,10 +88,16 @@ void partition_free(struct partition *p);
 void model_force(const struct model *m, int terms, const double *V, double *F,
                  struct strain_watch *watch);
 
+/* Rayleigh quotient of V over all nodes [1/s2]: twice the strain energy of the linear model over
+ * V^T M V, summed by elements from differences.  It keeps its accuracy where the round-off of the
+ * assembled K, epsilon omega_max^2, would not. */
+double model_quotient(const struct model *m, const double *V);
+
 /* theta of Gauss point number point, counted over the whole cable. */
 double model_gauss_theta(const struct model *m, int point);
 
-/* Displacement v at theta = fraction L0 and, if asked for, the physical tension there [N]. */
+/* Displacement v, in the axes of space, at theta = fraction L0 and, if asked for, the physical
+ * tension there [N]. */
 void model_probe(const struct model *m, double fraction, const double *V, double v[3],
                  double *tension);
 

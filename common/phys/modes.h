@@ -15,20 +15,40 @@ struct modes {
     int k;            /* modes */
     double *omega;    /* (k) [rad/s], ascending; owned */
     double *phi;      /* (n, k) column-major; owned */
-    enum part *plane; /* (k) PART_PLANE or PART_LATERAL; owned */
+    enum part *plane; /* (k) PART_PLANE or PART_LATERAL; owned; NULL as read from a file */
+    int counted;      /* modes below the cut of the Sturm count, all found; 0: dense solution */
+    double cut;       /* that circular frequency [rad/s] */
 };
 
-/* Elements up to which all modes can be solved for at once: some 3 GB and two minutes. */
+enum solver {
+    SOLVER_AUTO,   /* dense for small models and many modes, else Lanczos */
+    SOLVER_DENSE,  /* all modes at once (LAPACK) */
+    SOLVER_LANCZOS /* the lowest modes (ARPACK), proven complete by a Sturm count */
+};
+
+/* Elements up to which the dense solution goes: some 3 GB and two minutes. */
 #define MODES_MAX_ELEMENTS 2000
 
-/* The k lowest modes (1 <= k <= 6 n), by solving for all.  Memory: 5 (4 n)^2 doubles at the
- * most.  SW_ADMISSIBLE: more than MODES_MAX_ELEMENTS; SW_NOMEM, SW_INDEFINITE, SW_NOCONV. */
-enum status modes_all(const struct model *m, int k, struct modes *ret);
+/* Most modes that Lanczos can be asked for of a mesh of n elements. */
+int modes_lanczos_most(int n);
+
+/*
+ * The k lowest modes, 1 <= k <= 6 n.  Memory: dense 5 (4 n)^2 doubles at the most, Lanczos about
+ * 4 n (k + 20) + 6 n k.
+ *
+ * SW_ADMISSIBLE: dense and more than MODES_MAX_ELEMENTS, or Lanczos and more than
+ * modes_lanczos_most; SW_NOMEM, SW_INDEFINITE; SW_NOCONV, also where Lanczos missed a mode that the
+ * Sturm count tells of.
+ */
+enum status modes_lowest(const struct model *m, int k, enum solver solver, struct modes *ret);
 
 void modes_free(struct modes *p);
 
 /* Frequency of mode i [Hz]. */
 double modes_frequency(const struct modes *p, int i);
+
+/* V (all nodes) = mode i as it is, zero at the supports. */
+void modes_shape(const struct model *m, const struct modes *p, int i, double *V);
 
 /* V (all nodes) = mode i scaled so that its largest nodal displacement is 1 m.  SW_ADMISSIBLE: the
  * mode has its own nodes at those of the mesh, and moves between them only. */

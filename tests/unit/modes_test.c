@@ -11,7 +11,7 @@ static struct modes solve(const struct cable *c, enum law law, int n, int k, str
     struct modes p;
 
     assert_int_equal(model_new(c, law, n, ret), SW_OK);
-    assert_int_equal(modes_all(ret, k, &p), SW_OK);
+    assert_int_equal(modes_lowest(ret, k, SOLVER_DENSE, &p), SW_OK);
     return p;
 }
 
@@ -335,7 +335,7 @@ static void memory_runs_out(void **state)
         mem_fail_at(++n);
         s = model_new(&seil1, LAW_HOOKE, 3, &m);
         if (s == SW_OK)
-            s = modes_all(&m, 4, &p);
+            s = modes_lowest(&m, 4, SOLVER_DENSE, &p);
         if (s == SW_OK)
             modes_free(&p);
         model_free(&m);
