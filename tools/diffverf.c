@@ -106,7 +106,7 @@ static void find_equilibrium(void)
     s = model_equilibrium(&model, c.terms, b, shape);
     if (s == SW_ADMISSIBLE)
         die(s, "the supports at t = 0 leave no static line: span %g m, drop %g m",
-            hypot(c.cable.span + u[3] - u[0], u[5] - u[2]), c.cable.drop + u[4] - u[1]);
+            hypot(c.bare.span + u[3] - u[0], u[5] - u[2]), c.bare.drop + u[4] - u[1]);
     if (s == SW_NOMEM)
         die(s, "equilibrium at t = 0: %s", status_text(s));
     if (s != SW_OK)
@@ -135,7 +135,7 @@ static struct grid set_up(void)
 {
     struct march_options how;
     struct grid grid;
-    enum status s = model_new(&c.cable, (enum law)c.law, c.elements, &model);
+    enum status s = case_model(&c, &model);
 
     if (s != SW_OK)
         die(s, "model: %s", status_text(s));
@@ -245,6 +245,9 @@ int main(int argc, char **argv)
     struct why why;
 
     start_case(&tool, &args.common, argc, argv, &c);
+    if (c.n_dampers > 0)
+        die(SW_USAGE, "%s: [%s]: the time integration takes no dampers; modal --damped does",
+            argv[argc - 1], c.damper_label[0]);
     if (isnan(c.time.end))
         die(SW_USAGE, "%s: [time] end: is missing", argv[argc - 1]);
     grid = set_up();

@@ -23,8 +23,8 @@ static void print_modes(const struct modes *p, struct out *o)
 {
     fputs("mode,omega_rad_s,frequency_Hz,period_s,plane\n", o->f);
     for (int i = 0; i < p->k; i++) {
-        double hertz = modes_frequency(p, i);
-        const double row[] = {p->omega[i], hertz, 1 / hertz};
+        double f = hertz(p->omega[i]);
+        const double row[] = {p->omega[i], f, 1 / f};
 
         fprintf(o->f, "%d,", i + 1);
         for (int j = 0; j < 3; j++) {
@@ -47,7 +47,7 @@ int main(int argc, char **argv)
     start_case(&tool, &args.common, argc, argv, &c);
     if (args.modes > 6L * c.elements)
         die(SW_USAGE, "option --modes: the mesh has only %d modes", 6 * c.elements);
-    s = model_new(&c.cable, (enum law)c.law, c.elements, &m);
+    s = case_model(&c, &m);
     if (s == SW_OK)
         s = modes_lowest(&m, args.modes > 0 ? (int)args.modes : 6 * c.elements, SOLVER_AUTO,
                          &modes);

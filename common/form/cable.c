@@ -13,24 +13,44 @@
 #define BIG CASE_LARGEST
 
 #define AT(member) offsetof(struct cable_case, member)
+#define IN_DAMPER(member) offsetof(struct damper, member)
 #define IN_MOTION(member) offsetof(struct motion, member)
 #define IN_DISTURBANCE(member) offsetof(struct disturbance, member)
 
 static const struct key keys[] = {
-    {"cable", "unstressed_length", NUMBERS, AT(cable.L0), 1, 1, 1e-6, BIG, NULL, NULL},
-    {"cable", "mass_per_length", NUMBERS, AT(cable.mu), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"cable", "unstressed_length", NUMBERS, AT(bare.L0), 1, 1, 1e-6, BIG, NULL, NULL},
+    {"cable", "mass_per_length", NUMBERS, AT(bare.mu), 1, 1, 1e-9, BIG, NULL, NULL},
     {"cable", "youngs_modulus", NUMBERS, AT(youngs_modulus), 1, 1, 1e-3, 1e18, NULL, NULL},
     {"cable", "area", NUMBERS, AT(area), 1, 1, 1e-15, BIG, NULL, NULL},
-    {"cable", "axial_stiffness", NUMBERS, AT(cable.EA), 1, 1, 1e-9, 1e18, NULL, NULL},
-    {"supports", "span", NUMBERS, AT(cable.span), 1, 1, 1e-6, BIG, NULL, NULL},
-    {"supports", "drop", NUMBERS, AT(cable.drop), 1, 1, -BIG, BIG, NULL, "0"},
-    {"gravity", "acceleration", NUMBERS, AT(cable.g), 1, 1, 0, 1e6, NULL, "9.81"},
+    {"cable", "axial_stiffness", NUMBERS, AT(bare.EA), 1, 1, 1e-9, 1e18, NULL, NULL},
+    {"cable", "horizontal_force", NUMBERS, AT(known.value[GIVEN_HORIZONTAL]), 1, 1, 1e-9, 1e18,
+     NULL, NULL},
+    {"cable", "midspan_tension", NUMBERS, AT(known.value[GIVEN_MIDSPAN]), 1, 1, 1e-9, 1e18, NULL,
+     NULL},
+    {"cable", "tension_left", NUMBERS, AT(known.value[GIVEN_LEFT]), 1, 1, 1e-9, 1e18, NULL, NULL},
+    {"cable", "tension_right", NUMBERS, AT(known.value[GIVEN_RIGHT]), 1, 1, 1e-9, 1e18, NULL, NULL},
+    {"cable", "sag", NUMBERS, AT(known.value[GIVEN_SAG]), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"cable", "fundamental_frequency", NUMBERS, AT(known.fundamental), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"cable", "frequency", NUMBERS, AT(known.value[GIVEN_FREQUENCY]), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"cable", "mode", WHOLE, AT(known.mode), 1, 1, 1, 1000, NULL, NULL},
+    {"cable", "plane", WORD, AT(known.plane), 1, 1, 0, 0, "out in", NULL},
+    {"cable", "branch", WORD, AT(known.slack), 1, 1, 0, 0, "taut slack", NULL},
+    {"supports", "span", NUMBERS, AT(bare.span), 1, 1, 1e-6, BIG, NULL, NULL},
+    {"supports", "drop", NUMBERS, AT(bare.drop), 1, 1, -BIG, BIG, NULL, "0"},
+    {"gravity", "acceleration", NUMBERS, AT(bare.g), 1, 1, 0, 1e6, NULL, "9.81"},
+    {"load", "ice_mass_per_length", NUMBERS, AT(load.ice), 1, 1, 0, BIG, NULL, "0"},
+    {"load", "wind", NUMBERS, AT(load.wind), 3, 3, -BIG, BIG, NULL, "0 0 0"},
+    {"load", "temperature_change", NUMBERS, AT(load.temperature), 1, 1, -1e4, 1e4, NULL, "0"},
+    {"load", "expansion_coefficient", NUMBERS, AT(load.expansion), 1, 1, -1e-2, 1e-2, NULL, "0"},
     {"mesh", "elements", WHOLE, AT(elements), 1, 1, 1, 1e6, NULL, "20"},
     {"mesh", "law", WORD, AT(law), 1, 1, 0, 0, "hooke thesis printed", "hooke"},
     {"damping", "alpha", NUMBERS, AT(alpha), 1, 1, 0, BIG, NULL, NULL},
     {"damping", "beta", NUMBERS, AT(beta), 1, 1, 0, BIG, NULL, NULL},
     {"damping", "zeta", NUMBERS, AT(zeta), 2, 2, 0, 1e3, NULL, NULL},
     {"damping", "omega", NUMBERS, AT(zeta_omega), 2, 2, 1e-9, BIG, NULL, NULL},
+    {"damper", "position", NUMBERS, IN_DAMPER(position), 1, 1, 0, 1, NULL, NULL},
+    {"damper", "direction", NUMBERS, IN_DAMPER(direction), 3, 3, -BIG, BIG, NULL, NULL},
+    {"damper", "coefficient", NUMBERS, IN_DAMPER(coefficient), 1, 1, 0, 1e18, NULL, NULL},
     {"motion", "support", WORD, IN_MOTION(support), 1, 1, 0, 0, "right left", "right"},
     {"motion", "amplitude", NUMBERS, IN_MOTION(amplitude), 3, 3, -BIG, BIG, NULL, NULL},
     {"motion", "omega", NUMBERS, IN_MOTION(omega), 1, 1, 1e-9, BIG, NULL, NULL},
@@ -83,23 +103,35 @@ static enum status take_labelled(const struct reading *r, const char *name, size
     return SW_OK;
 }
 
+/* The sections that may carry a label. */
+#define LABELLED "damper motion disturbance"
+
 static enum status take_all(const struct reading *r, struct cable_case *c)
 {
-    void *items = NULL;
+    struct {
+        const char *name;
+        size_t size;
+        void *items; /* the place of a pointer to them */
+        char (**label)[KEYS_TEXT_BYTES];
+        int *n;
+    } labelled[] = {
+        {"damper", sizeof *c->damper, &c->damper, &c->damper_label, &c->n_dampers},
+        {"motion", sizeof *c->motion, &c->motion, &c->motion_label, &c->n_motions},
+        {"disturbance", sizeof *c->disturbance, &c->disturbance, &c->disturbance_label,
+         &c->n_disturbances},
+    };
     enum status s = keys_judge_names(r);
 
     for (int i = 0; i < N_KEYS && s == SW_OK; i++)
         if (!section_labelled(r, keys[i].section) &&
             (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0))
             s = keys_take(r, keys[i].section, c);
-    if (s == SW_OK) {
-        s = take_labelled(r, "motion", sizeof *c->motion, &items, &c->motion_label, &c->n_motions);
-        c->motion = items;
-    }
-    if (s == SW_OK) {
-        s = take_labelled(r, "disturbance", sizeof *c->disturbance, &items, &c->disturbance_label,
-                          &c->n_disturbances);
-        c->disturbance = items;
+    for (size_t i = 0; i < sizeof labelled / sizeof *labelled && s == SW_OK; i++) {
+        void *items = NULL;
+
+        s = take_labelled(r, labelled[i].name, labelled[i].size, &items, labelled[i].label,
+                          labelled[i].n);
+        memcpy(labelled[i].items, &items, sizeof items);
     }
     return s == SW_OK ? case_resolve(r, c) : s;
 }
@@ -108,7 +140,7 @@ enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
                       struct cable_case *ret, struct why *why)
 {
     struct ini ini;
-    struct reading r = {&ini, keys, N_KEYS, "motion disturbance", why};
+    struct reading r = {&ini, NULL, keys, N_KEYS, LABELLED, why};
     enum status s = ini_read(f, name, &ini, why);
 
     memset(ret, 0, sizeof *ret);
@@ -129,6 +161,8 @@ enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
 
 void case_free(struct cable_case *c)
 {
+    free(c->damper);
+    free(c->damper_label);
     free(c->motion);
     free(c->motion_label);
     free(c->disturbance);
@@ -149,45 +183,124 @@ enum status case_load(const char *path, const struct opt_list *sets, struct cabl
     return s;
 }
 
+const struct key *case_model_key(const char *name)
+{
+    const char *dot = strchr(name, '.');
+
+    /* the model sections come first in the table */
+    for (int i = 0; i < N_KEYS && strcmp(keys[i].section, "damping") != 0; i++) {
+        size_t length = strlen(keys[i].section);
+
+        if (strcmp(dot ? dot + 1 : name, keys[i].name) == 0 &&
+            (!dot ||
+             ((size_t)(dot - name) == length && strncmp(name, keys[i].section, length) == 0)))
+            return &keys[i];
+    }
+    return NULL;
+}
+
+enum status case_model_defaults(const struct opt_list *sets, struct cable_case *c, struct why *why)
+{
+    struct ini ini = {0};
+    struct reading r = {&ini, NULL, keys, N_KEYS, LABELLED, why};
+    enum status s = SW_OK;
+
+    memset(c, 0, sizeof *c);
+    for (int i = 0; i < sets->n && s == SW_OK; i++)
+        s = ini_set(&ini, sets->item[i], why);
+    if (s == SW_OK)
+        s = keys_judge_names(&r);
+    for (int i = 0; i < ini.n && s == SW_OK; i++) {
+        char name[2 * KEYS_TEXT_BYTES];
+
+        snprintf(name, sizeof name, "%s.%s", ini.entry[i].section, ini.entry[i].key);
+        if (!case_model_key(name))
+            s = ini_fail(why, &ini, &ini.entry[i], "belongs to no section of the model");
+    }
+    for (int i = 0; i < N_KEYS && s == SW_OK; i++)
+        if (case_model_key(keys[i].name) == &keys[i] &&
+            (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0))
+            s = keys_take(&r, keys[i].section, c);
+    ini_free(&ini);
+    return s;
+}
+
+enum status case_model(const struct cable_case *c, struct model *ret)
+{
+    enum status s = model_new(&c->cable, (enum law)c->law, c->elements, ret);
+
+    ret->axes = c->axes;
+    return s;
+}
+
+/* Print the labelled section that heads the keys from first on, all its instances; 0: it is none.
+ */
+static int print_labelled(const struct cable_case *c, const char *section, struct out *o)
+{
+    const struct {
+        const char *name;
+        int n;
+        const void *items;
+        size_t size;
+        char (*label)[KEYS_TEXT_BYTES];
+    } labelled[] = {
+        {"damper", c->n_dampers, c->damper, sizeof *c->damper, c->damper_label},
+        {"motion", c->n_motions, c->motion, sizeof *c->motion, c->motion_label},
+        {"disturbance", c->n_disturbances, c->disturbance, sizeof *c->disturbance,
+         c->disturbance_label},
+    };
+
+    for (size_t i = 0; i < sizeof labelled / sizeof *labelled; i++) {
+        if (strcmp(section, labelled[i].name) != 0)
+            continue;
+        for (int j = 0; j < labelled[i].n; j++)
+            keys_print(keys, N_KEYS, labelled[i].label[j],
+                       (const char *)labelled[i].items + labelled[i].size * (size_t)j, o);
+        return 1;
+    }
+    return 0;
+}
+
 void case_print(const struct cable_case *c, struct out *o)
 {
     struct cable_case shown = *c;
 
     if (!isnan(shown.youngs_modulus))
-        shown.cable.EA = NAN; /* one of the two ways is printed: the one that was given */
+        shown.bare.EA = NAN; /* one of the two ways is printed: the one that was given */
     for (int i = 0; i < N_KEYS; i++) {
         const char *section = keys[i].section;
 
-        if (i > 0 && strcmp(section, keys[i - 1].section) == 0)
-            continue;
-        if (strcmp(section, "motion") == 0)
-            for (int j = 0; j < c->n_motions; j++)
-                keys_print(keys, N_KEYS, c->motion_label[j], &c->motion[j], o);
-        else if (strcmp(section, "disturbance") == 0)
-            for (int j = 0; j < c->n_disturbances; j++)
-                keys_print(keys, N_KEYS, c->disturbance_label[j], &c->disturbance[j], o);
-        else
+        if ((i == 0 || strcmp(section, keys[i - 1].section) != 0) && !print_labelled(c, section, o))
             keys_print(keys, N_KEYS, section, &shown, o);
     }
 }
 
 const char *case_model_difference(const struct cable_case *a, const struct cable_case *b)
 {
-    const struct cable *p = &a->cable, *q = &b->cable;
+    const struct cable *p = &a->bare, *q = &b->bare;
+    const struct load *u = &a->load, *v = &b->load;
+    const struct {
+        const char *name;
+        double a, b;
+    } value[] = {
+        {"cable.unstressed_length", p->L0, q->L0},
+        {"cable.mass_per_length", p->mu, q->mu},
+        {"cable.axial_stiffness", p->EA, q->EA},
+        {"supports.span", p->span, q->span},
+        {"supports.drop", p->drop, q->drop},
+        {"gravity.acceleration", p->g, q->g},
+        {"load.ice_mass_per_length", u->ice, v->ice},
+        {"load.wind", u->wind[0], v->wind[0]},
+        {"load.wind", u->wind[1], v->wind[1]},
+        {"load.wind", u->wind[2], v->wind[2]},
+        {"load.temperature_change", u->temperature, v->temperature},
+        {"load.expansion_coefficient", u->expansion, v->expansion},
+        {"mesh.elements", a->elements, b->elements},
+        {"mesh.law", a->law, b->law},
+    };
 
-    if (p->L0 != q->L0)
-        return "cable.unstressed_length";
-    if (p->mu != q->mu)
-        return "cable.mass_per_length";
-    if (p->EA != q->EA)
-        return "cable.axial_stiffness";
-    if (p->span != q->span)
-        return "supports.span";
-    if (p->drop != q->drop)
-        return "supports.drop";
-    if (p->g != q->g)
-        return "gravity.acceleration";
-    if (a->elements != b->elements)
-        return "mesh.elements";
-    return a->law != b->law ? "mesh.law" : NULL;
+    for (size_t i = 0; i < sizeof value / sizeof *value; i++)
+        if (value[i].a != value[i].b)
+            return value[i].name;
+    return NULL;
 }

@@ -6,6 +6,7 @@
 #define SEILWERK_FORM_CABLE_H
 
 #include "form/keys.h"
+#include "phys/find.h"
 #include "phys/march.h"
 #include "sys/opt.h"
 #include "sys/out.h"
@@ -24,6 +25,12 @@ struct disturbance {
     int kind;            /* enum kick */
 };
 
+struct damper {
+    double position; /* theta/L0 */
+    double direction[3];
+    double coefficient; /* [N s/m] */
+};
+
 struct time_plan {
     double end;                       /* [s], NAN if not given */
     int scheme;                       /* 0: central differences */
@@ -37,13 +44,28 @@ struct time_plan {
     int n_probes;
 };
 
+/* What may be given in place of the unstressed length; NAN or -1 once it is resolved. */
+struct known_keys {
+    double value[N_GIVEN];
+    double fundamental;     /* frequency of the first lateral mode [Hz] */
+    int mode, plane, slack; /* of value[GIVEN_FREQUENCY]; plane 0: out, 1: in */
+};
+
 struct cable_case {
-    struct cable cable;          /* EA resolved */
+    struct cable bare;           /* as given, before load and expansion; L0, EA resolved */
     double youngs_modulus, area; /* NAN if axial_stiffness was given */
+    struct known_keys known;
+    int found; /* whether L0 was found from another quantity */
+    struct load load;
+    struct cable cable; /* the one that hangs in the plane of its load */
+    struct axes axes;   /* of that plane */
     int elements;
     int law;                       /* enum law */
     double alpha, beta;            /* resolved */
     double zeta[2], zeta_omega[2]; /* NAN once resolved */
+    struct damper *damper;
+    char (*damper_label)[KEYS_TEXT_BYTES];
+    int n_dampers;
     struct motion *motion;
     char (*motion_label)[KEYS_TEXT_BYTES]; /* section with label */
     int n_motions;
@@ -63,6 +85,17 @@ enum status case_load(const char *path, const struct opt_list *sets, struct cabl
 /* The same from an open file. */
 enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
                       struct cable_case *ret, struct why *why);
+
+/* The key of a model section ([cable], [supports], [gravity], [load], [mesh]) by its name, with or
+ * without "section."; NULL: there is none. */
+const struct key *case_model_key(const char *name);
+
+/* The model sections of *c: all defaults, then those of the --set assignments, which may set no
+ * other section.  Not resolved.  SW_USAGE, SW_NOMEM. */
+enum status case_model_defaults(const struct opt_list *sets, struct cable_case *c, struct why *why);
+
+/* The model of c with elements laid on its line.  As model_new. */
+enum status case_model(const struct cable_case *c, struct model *ret);
 
 /* Free what *c owns; a zeroed case is fine. */
 void case_free(struct cable_case *c);

@@ -26,9 +26,8 @@ int section_labelled(const struct reading *r, const char *name)
     return 0;
 }
 
-/* One value of a key: text to the place to. */
-static enum status take_numbers(const struct reading *r, const struct ini_entry *e,
-                                const struct key *k, const char *text, double *to)
+/* The values of a key: text to the place to. */
+static enum status read_numbers(const struct key *k, const char *text, double *to, struct why *why)
 {
     char copy[INI_LINE_BYTES + 1], *word, *rest = NULL;
     double more;
@@ -40,32 +39,31 @@ static enum status take_numbers(const struct reading *r, const struct ini_entry 
         to[0] = 0;
         return SW_OK;
     }
-    snprintf(copy, sizeof copy, "%s", text);
+    if (snprintf(copy, sizeof copy, "%s", text) >= (int)sizeof copy)
+        return fail(why, SW_FORMAT, "%s: longer than %d bytes", k->name, INI_LINE_BYTES);
     for (word = strtok_r(copy, " \t", &rest); word; word = strtok_r(NULL, " \t", &rest)) {
         const char *reason;
 
         if (n == k->most && number_read(word, &more))
-            return ini_fail(r->why, r->ini, e, "%s: '%s' is no number; units are fixed", k->name,
-                            word);
+            return fail(why, SW_FORMAT, "%s: '%s' is no number; units are fixed", k->name, word);
         if (n == k->most)
-            return ini_fail(r->why, r->ini, e, "%s: more than %d number%s", k->name, k->most,
-                            k->most > 1 ? "s" : "");
+            return fail(why, SW_FORMAT, "%s: more than %d number%s", k->name, k->most,
+                        k->most > 1 ? "s" : "");
         reason = number_read(word, &to[n]);
         if (reason)
-            return ini_fail(r->why, r->ini, e, "%s: '%s': %s%s", k->name, word, reason,
-                            strchr(word, ',') && k->most > 1 ? "; blanks separate numbers" : "");
+            return fail(why, SW_FORMAT, "%s: '%s': %s%s", k->name, word, reason,
+                        strchr(word, ',') && k->most > 1 ? "; blanks separate numbers" : "");
         if (!(to[n] >= k->min && to[n] <= k->max))
-            return ini_fail(r->why, r->ini, e, "%s: %s is outside of %g to %g", k->name, word,
-                            k->min, k->max);
+            return fail(why, SW_FORMAT, "%s: %s is outside of %g to %g", k->name, word, k->min,
+                        k->max);
         n++;
     }
     if (n < k->least)
-        return ini_fail(r->why, r->ini, e, "%s: %d numbers are expected", k->name, k->least);
+        return fail(why, SW_FORMAT, "%s: %d numbers are expected", k->name, k->least);
     return SW_OK;
 }
 
-static enum status take_word(const struct reading *r, const struct ini_entry *e,
-                             const struct key *k, const char *text, int *to)
+static enum status read_word(const struct key *k, const char *text, int *to, struct why *why)
 {
     const char *p = k->words;
     size_t length = strlen(text);
@@ -77,50 +75,68 @@ static enum status take_word(const struct reading *r, const struct ini_entry *e,
             return SW_OK;
         p += l + (p[l] == ' ');
     }
-    return ini_fail(r->why, r->ini, e, "%s: '%s' is not one of: %s", k->name, text, k->words);
+    return fail(why, SW_FORMAT, "%s: '%s' is not one of: %s", k->name, text, k->words);
 }
 
-static enum status take_whole(const struct reading *r, const struct ini_entry *e,
-                              const struct key *k, const char *text, int *to)
+static enum status read_whole(const struct key *k, const char *text, int *to, struct why *why)
 {
     long value = -1;
-    const char *reason = text ? integer_read(text, (long)k->min, (long)k->max, &value) : NULL;
+    const char *reason = integer_read(text, (long)k->min, (long)k->max, &value);
 
     if (reason)
-        return ini_fail(r->why, r->ini, e, "%s: '%s': %s (expected %.0f to %.0f)", k->name, text,
-                        reason, k->min, k->max);
+        return fail(why, SW_FORMAT, "%s: '%s': %s (expected %.0f to %.0f)", k->name, text, reason,
+                    k->min, k->max);
     *to = (int)value;
     return SW_OK;
 }
 
+/* A key without value and default. */
+static void leave_out(const struct key *k, void *to)
+{
+    if (k->kind == NUMBERS)
+        for (int i = 0; i < k->most; i++)
+            ((double *)to)[i] = NAN;
+    else if (k->kind == TEXT)
+        *(char *)to = '\0';
+    else
+        *(int *)to = -1;
+}
+
+enum status key_read(const struct key *k, const char *text, void *base, struct why *why)
+{
+    void *to = (char *)base + k->at;
+
+    if (!text)
+        text = k->fallback;
+    if (!text) {
+        leave_out(k, to);
+        return SW_OK;
+    }
+    switch (k->kind) {
+    case NUMBERS: return read_numbers(k, text, to, why);
+    case WHOLE: return read_whole(k, text, to, why);
+    case WORD: return read_word(k, text, to, why);
+    default:
+        return snprintf(to, KEYS_TEXT_BYTES, "%s", text) < KEYS_TEXT_BYTES
+                   ? SW_OK
+                   : fail(why, SW_FORMAT, "%s: longer than %d bytes", k->name, KEYS_TEXT_BYTES - 1);
+    }
+}
+
 enum status keys_take(const struct reading *r, const char *section, void *base)
 {
-    enum status s = SW_OK;
-
-    for (int i = 0; i < r->n_keys && s == SW_OK; i++) {
+    for (int i = 0; i < r->n_keys; i++) {
         const struct key *k = &r->keys[i];
         const struct ini_entry *e;
-        const char *text;
-        char *to = (char *)base + k->at;
+        struct why why;
 
         if (!section_is(section, k->section))
             continue;
         e = ini_find(r->ini, section, k->name);
-        text = e ? e->value : k->fallback;
-        if (k->kind == WHOLE)
-            s = take_whole(r, e, k, text, (int *)(void *)to);
-        else if (k->kind == NUMBERS && text)
-            s = take_numbers(r, e, k, text, (double *)(void *)to);
-        else if (k->kind == NUMBERS)
-            for (int j = 0; j < k->most; j++)
-                ((double *)(void *)to)[j] = NAN;
-        else if (k->kind == WORD)
-            s = take_word(r, e, k, text, (int *)(void *)to);
-        else if (snprintf(to, KEYS_TEXT_BYTES, "%s", text) >= KEYS_TEXT_BYTES)
-            s = ini_fail(r->why, r->ini, e, "%s: longer than %d bytes", k->name,
-                         KEYS_TEXT_BYTES - 1);
+        if (key_read(k, e ? e->value : NULL, base, &why) != SW_OK)
+            return ini_fail(r->why, r->ini, e, "%s", why.text);
     }
-    return s;
+    return SW_OK;
 }
 
 enum status keys_judge_names(const struct reading *r)
@@ -166,11 +182,18 @@ static int began_by_set(const struct ini *ini, const char *section)
     return by_set;
 }
 
+const char *keys_place(const struct reading *r)
+{
+    return r->ini ? r->ini->name : r->row;
+}
+
 enum status keys_fail(const struct reading *r, const char *section, const char *key,
                       const char *text)
 {
-    const struct ini_entry *e = ini_find(r->ini, section, key);
+    const struct ini_entry *e = r->ini ? ini_find(r->ini, section, key) : NULL;
 
+    if (!r->ini)
+        return fail(r->why, SW_FORMAT, "%.400s: %s: %s", r->row, key, text);
     if (e)
         return ini_fail(r->why, r->ini, e, "%s: %s", key, text);
     if (began_by_set(r->ini, section))
@@ -191,7 +214,7 @@ static void print_key(const struct key *k, const char *base, struct out *o)
     const double *x = (const double *)(const void *)at;
 
     if ((k->kind == NUMBERS && isnan(x[0])) ||
-        (k->kind == WHOLE && *(const int *)(const void *)at < 0))
+        ((k->kind == WHOLE || k->kind == WORD) && *(const int *)(const void *)at < 0))
         return;
     fprintf(o->f, "%s =", k->name);
     if (k->kind == WORD)

@@ -31,9 +31,11 @@ struct key {
     const char *fallback; /* default as text, or NULL: none */
 };
 
-/* A table of keys, those of one section together, and the file that is read by it. */
+/* A table of keys, those of one section together, and the file that is read by it: an INI file, or
+ * one row of a table. */
 struct reading {
-    const struct ini *ini;
+    const struct ini *ini; /* NULL: a row of a table */
+    const char *row;       /* then its "file:line" */
     const struct key *keys;
     int n_keys;
     const char *labelled; /* names of the sections that may carry a label, blanks between */
@@ -50,8 +52,14 @@ int section_labelled(const struct reading *r, const char *name);
 enum status keys_judge_names(const struct reading *r);
 
 /* All keys of one section (with its label) into base: given ones, else defaults; numbers without
- * default become NAN, whole numbers -1.  SW_FORMAT or SW_USAGE, with line. */
+ * default become NAN, whole numbers and words -1.  SW_FORMAT or SW_USAGE, with line. */
 enum status keys_take(const struct reading *r, const char *section, void *base);
+
+/* One key from text (NULL: its default) into base.  SW_FORMAT with "name: what is wrong". */
+enum status key_read(const struct key *k, const char *text, void *base, struct why *why);
+
+/* The name of the file, or the row, for a message. */
+const char *keys_place(const struct reading *r);
 
 /* fail at the key's line if it was given, else at the file: "file: [section] key: text". */
 enum status keys_fail(const struct reading *r, const char *section, const char *key,

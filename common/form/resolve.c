@@ -7,25 +7,118 @@
 #include <math.h>
 #include <string.h>
 
-static enum status resolve_cable(const struct reading *r, struct cable_case *c)
+static const char *const known_key[N_GIVEN] = {
+    [GIVEN_HORIZONTAL] = "horizontal_force",
+    [GIVEN_MIDSPAN] = "midspan_tension",
+    [GIVEN_LEFT] = "tension_left",
+    [GIVEN_RIGHT] = "tension_right",
+    [GIVEN_SAG] = "sag",
+    [GIVEN_FREQUENCY] = "frequency",
+};
+
+/* What is known in place of the length into *ret; its key is returned, or NULL where it is the
+ * length itself.  *s is SW_OK unless more or less than one is given. */
+static const char *take_known(const struct reading *r, struct cable_case *c, struct known *ret,
+                              enum status *s)
+{
+    static const char *const one = "give exactly one of unstressed_length, horizontal_force, "
+                                   "midspan_tension, tension_left, tension_right, sag, "
+                                   "fundamental_frequency, frequency";
+    struct known_keys *k = &c->known;
+    const char *key = NULL;
+    int n = !isnan(c->bare.L0);
+
+    for (int i = 0; i < N_GIVEN; i++)
+        if (!isnan(k->value[i])) {
+            n++;
+            key = known_key[i];
+            *ret = (struct known){.given = (enum given)i, .value = k->value[i]};
+        }
+    if (!isnan(k->fundamental)) {
+        n++;
+        key = "fundamental_frequency";
+        *ret = (struct known){.given = GIVEN_FREQUENCY, .value = k->fundamental};
+    }
+    *s = SW_OK;
+    if (n == 0)
+        *s = keys_fail(r, "cable", "unstressed_length",
+                       "is missing, and nothing that it follows from is given");
+    else if (n > 1)
+        *s = keys_fail(r, "cable", key, one);
+    else if ((k->mode > 0 || k->plane >= 0) && isnan(k->value[GIVEN_FREQUENCY]))
+        *s = keys_fail(r, "cable", k->mode > 0 ? "mode" : "plane",
+                       "tells of which mode frequency is; there is none");
+    else if (!key && k->slack >= 0)
+        *s = keys_fail(r, "cable", "branch", "the unstressed length is given, which is one cable");
+    ret->part = k->plane == 1 ? PART_PLANE : PART_LATERAL;
+    ret->mode = k->mode > 0 ? k->mode : 1;
+    ret->slack = k->slack == 1;
+    ret->law = (enum law)c->law;
+    ret->elements = c->elements;
+    if (*s == SW_OK && ret->mode > c->elements)
+        *s = keys_fail(r, "cable", "mode", "needs at least as many elements");
+    return key;
+}
+
+/* The unstressed length from what is known of the cable. */
+static enum status resolve_length(const struct reading *r, struct cable_case *c)
+{
+    struct known known;
+    char text[200];
+    double least = NAN;
+    enum status s;
+    const char *key = take_known(r, c, &known, &s);
+
+    if (s != SW_OK || !key)
+        return s;
+    s = find_length(&c->bare, &c->load, &known, &c->bare.L0, &least);
+    if (s == SW_INFEASIBLE) {
+        if (isnan(least))
+            snprintf(text, sizeof text, "only one cable, the tauter one, has it");
+        else
+            snprintf(text, sizeof text, "no length gives %.9g; the least possible is %.9g",
+                     known.value, least);
+        keys_fail(r, "cable", key, text);
+        return s;
+    }
+    if (s != SW_OK)
+        return fail(r->why, s, "%.400s: [cable] %s: %s", keys_place(r), key, status_text(s));
+    for (int i = 0; i < N_GIVEN; i++)
+        c->known.value[i] = NAN;
+    c->known.fundamental = NAN;
+    c->known.mode = c->known.plane = c->known.slack = -1;
+    c->found = 1;
+    return SW_OK;
+}
+
+enum status case_resolve_model(const struct reading *r, struct cable_case *c)
 {
     static const char *const one = "give either axial_stiffness or youngs_modulus and area";
+    double stretch = 1 + c->load.expansion * c->load.temperature;
     const char *reason;
+    enum status s;
 
-    if (isnan(c->cable.L0))
-        return keys_fail(r, "cable", "unstressed_length", "is missing");
-    if (isnan(c->cable.mu))
+    if (isnan(c->bare.mu))
         return keys_fail(r, "cable", "mass_per_length", "is missing");
-    if (isnan(c->cable.span))
+    if (isnan(c->bare.span))
         return keys_fail(r, "supports", "span", "is missing");
     if (isnan(c->youngs_modulus) != isnan(c->area) ||
-        isnan(c->youngs_modulus) != !isnan(c->cable.EA))
+        isnan(c->youngs_modulus) != !isnan(c->bare.EA))
         return keys_fail(r, "cable", "axial_stiffness", one);
-    if (isnan(c->cable.EA))
-        c->cable.EA = c->youngs_modulus * c->area;
+    if (isnan(c->bare.EA))
+        c->bare.EA = c->youngs_modulus * c->area;
+    if (!(stretch > 0.5 && stretch < 2))
+        return keys_fail(r, "load", "temperature_change",
+                         "changes the length by half or more; are the units right?");
+    s = resolve_length(r, c);
+    if (s != SW_OK)
+        return s;
+    load_apply(&c->bare, &c->load, &c->cable, &c->axes);
+    if (!(c->cable.span > 1e-9 * line_chord(&c->bare)))
+        return keys_fail(r, "load", "wind", "together with the weight acts along the chord");
     reason = line_inadmissible(&c->cable);
     if (reason)
-        return fail(r->why, SW_ADMISSIBLE, "%.400s: %s", r->ini->name, reason);
+        return fail(r->why, SW_ADMISSIBLE, "%.400s: %s", keys_place(r), reason);
     return SW_OK;
 }
 
@@ -65,6 +158,22 @@ static enum status resolve_damping(const struct reading *r, struct cable_case *c
         c->alpha = 0;
     if (isnan(c->beta))
         c->beta = 0;
+    return SW_OK;
+}
+
+static enum status resolve_damper(const struct reading *r, const char *section,
+                                  const struct damper *d)
+{
+    if (isnan(d->position))
+        return keys_fail(r, section, "position", "is missing");
+    if (!(d->position > 0 && d->position < 1))
+        return keys_fail(r, section, "position", "must lie between the supports, 0 to 1");
+    if (isnan(d->direction[0]))
+        return keys_fail(r, section, "direction", "is missing");
+    if (d->direction[0] == 0 && d->direction[1] == 0 && d->direction[2] == 0)
+        return keys_fail(r, section, "direction", "must not be zero");
+    if (isnan(d->coefficient))
+        return keys_fail(r, section, "coefficient", "is missing");
     return SW_OK;
 }
 
@@ -160,10 +269,12 @@ static enum status resolve_time(const struct reading *r, struct cable_case *c)
 
 enum status case_resolve(const struct reading *r, struct cable_case *c)
 {
-    enum status s = resolve_cable(r, c);
+    enum status s = case_resolve_model(r, c);
 
     if (s == SW_OK)
         s = resolve_damping(r, c);
+    for (int i = 0; i < c->n_dampers && s == SW_OK; i++)
+        s = resolve_damper(r, c->damper_label[i], &c->damper[i]);
     for (int i = 0; i < c->n_motions && s == SW_OK; i++)
         s = resolve_motion(r, c->motion_label[i], &c->motion[i]);
     for (int i = 0; i < c->n_disturbances && s == SW_OK; i++)

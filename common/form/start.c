@@ -6,7 +6,7 @@
 /* Numbers that are admissible, but seldom meant: most come from a wrong unit. */
 static void warn_of_units(const struct cable_case *c)
 {
-    double density = c->cable.mu / c->area, strain = line_chord(&c->cable) / c->cable.L0 - 1;
+    double density = c->bare.mu / c->area, strain = line_chord(&c->bare) / c->bare.L0 - 1;
 
     if (density < 500 || density > 30000)
         warn("mass_per_length and area make a density of %.3g kg/m3: are the units right?",
@@ -18,21 +18,30 @@ static void warn_of_units(const struct cable_case *c)
              100 * strain);
 }
 
-void start_case(const struct opt_tool *tool, struct opt_common *common, int argc, char **argv,
-                struct cable_case *ret)
+int start_options(const struct opt_tool *tool, const struct opt_common *common, int argc,
+                  char **argv)
 {
-    struct why why;
     int operand;
 
     out_prepare();
     err_tool(tool->name);
     operand = opt_parse(tool, argc, argv);
     err_level(common->quiet, common->verbose);
+    return operand;
+}
+
+void start_load(const struct opt_tool *tool, struct opt_common *common, int operand, int argc,
+                char **argv, struct cable_case *ret)
+{
+    struct why why;
+
     if (operand != argc - 1)
         opt_usage(tool);
     must(case_load(argv[operand], &common->sets, ret, &why), &why);
     opt_list_free(&common->sets);
     warn_of_units(ret);
+    if (ret->found)
+        note("unstressed length %.12g m", ret->bare.L0);
     if (common->print_case) {
         struct out o;
 
@@ -42,4 +51,10 @@ void start_case(const struct opt_tool *tool, struct opt_common *common, int argc
         case_free(ret);
         exit(0);
     }
+}
+
+void start_case(const struct opt_tool *tool, struct opt_common *common, int argc, char **argv,
+                struct cable_case *ret)
+{
+    start_load(tool, common, start_options(tool, common, argc, argv), argc, argv, ret);
 }

@@ -6,8 +6,17 @@
 
 #include "form/cable.h"
 
-/* Parse the options of tool, read the one case operand with its --set assignments.  With
- * --print-case the resolved case is written and the process ends.  Ends with a message on error. */
+/* Parse the options of tool and set the levels of its messages.  Returns the index of the first
+ * operand in argv. */
+int start_options(const struct opt_tool *tool, const struct opt_common *common, int argc,
+                  char **argv);
+
+/* Read the one case operand, argv[operand], with its --set assignments.  With --print-case the
+ * resolved case is written and the process ends.  Ends with a message on error. */
+void start_load(const struct opt_tool *tool, struct opt_common *common, int operand, int argc,
+                char **argv, struct cable_case *ret);
+
+/* Both. */
 void start_case(const struct opt_tool *tool, struct opt_common *common, int argc, char **argv,
                 struct cable_case *ret);
 

@@ -12,6 +12,7 @@
     X(SW_NOMEM, 1, "memory ran out")                                                               \
     X(SW_NOCONV, 1, "the iteration did not converge")                                              \
     X(SW_INDEFINITE, 1, "a matrix that must be positive definite is not")                          \
+    X(SW_INFEASIBLE, 1, "nothing has the wanted property")                                         \
     X(SW_DIVERGED, 1, "the time integration diverged")                                             \
     X(SW_WRITE, 1, "the result could not be written")                                              \
     X(SW_ADMISSIBLE, 2, "an input lies outside of its admissible range")                           \

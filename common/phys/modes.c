@@ -7,6 +7,9 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+
+#define DENSE_ELEMENTS 30 /* up to here the dense solution is the faster one */
 
 /* The pencil of one part without its prescribed unknowns, and its modes. */
 struct part_modes {
@@ -61,19 +64,24 @@ static enum status part_solve(struct part_modes *p, int dense)
                  : lanczos_lowest(&p->K, &p->M, p->k, p->lambda, p->x);
 }
 
-/* Free unknown i of a part as one of the model's. */
-static int place(const struct model *m, enum part part, int i)
+/* A part's vector over its free unknowns into one over all nodes. */
+static void scatter(const struct model *m, enum part part, const double *x, double *V)
 {
-    int width = part_width(part), slopes = width / 2; /* free ones of the first node */
-    int node, c;
+    int width = part_width(part), first = part_first(part);
 
-    if (i < slopes)
-        return part_first(part) / 2 + i;
-    node = (i - slopes) / width;
-    c = (i - slopes) % width;
-    if (node == m->n - 1) /* slopes of the last node */
-        return 3 + 6 * node + part_first(part) / 2 + c;
-    return 3 + 6 * node + part_first(part) + c;
+    for (int k = 0; k <= m->n; k++)
+        for (int c = 0; c < width; c++)
+            if ((k > 0 && k < m->n) || c % 2 == 1)
+                V[6 * (size_t)k + (size_t)(first + c)] = *x++;
+}
+
+/* The free unknowns of V, in ascending order. */
+static void gather(const struct model *m, const double *V, double *phi)
+{
+    for (int k = 0; k <= m->n; k++)
+        for (int c = 0; c < 6; c++)
+            if ((k > 0 && k < m->n) || c % 2 == 1)
+                *phi++ = V[6 * (size_t)k + (size_t)c];
 }
 
 /*
@@ -106,12 +114,15 @@ static double sign_of(const struct model *m, const double *phi)
 static enum status merge(const struct model *m, const struct part_modes part[2], struct modes *ret)
 {
     int next[2] = {0, 0};
+    double *V = model_vector(m);
 
     ret->omega = mem_doubles((size_t)ret->k);
     ret->phi = mem_doubles((size_t)ret->n * (size_t)ret->k);
     ret->plane = mem_zeroed((size_t)ret->k, sizeof *ret->plane);
-    if (!ret->omega || !ret->phi || !ret->plane)
+    if (!V || !ret->omega || !ret->phi || !ret->plane) {
+        free(V);
         return SW_NOMEM;
+    }
     for (int k = 0; k < ret->k; k++) {
         int lateral = next[0] == part[0].k ||
                       (next[1] < part[1].k && part[1].lambda[next[1]] < part[0].lambda[next[0]]);
@@ -121,12 +132,14 @@ static enum status merge(const struct model *m, const struct part_modes part[2],
 
         ret->omega[k] = sqrt(p->lambda[next[lateral]++]);
         ret->plane[k] = lateral ? PART_LATERAL : PART_PLANE;
-        for (int i = 0; i < p->n; i++)
-            phi[place(m, ret->plane[k], i)] = x[i];
+        memset(V, 0, sizeof *V * model_unknowns(m));
+        scatter(m, ret->plane[k], x, V);
+        gather(m, V, phi);
         sign = sign_of(m, phi);
         for (int i = 0; i < ret->n; i++)
             phi[i] *= sign;
     }
+    free(V);
     return SW_OK;
 }
 
@@ -235,7 +248,8 @@ static int takes_dense(const struct model *m, int k, enum solver solver)
 {
     if (solver != SOLVER_AUTO)
         return solver == SOLVER_DENSE;
-    return m->n <= 30 || (k > m->n && m->n <= MODES_MAX_ELEMENTS) || k > modes_lanczos_most(m->n);
+    return m->n <= DENSE_ELEMENTS || (k > m->n && m->n <= MODES_MAX_ELEMENTS) ||
+           k > modes_lanczos_most(m->n);
 }
 
 enum status modes_lowest(const struct model *m, int k, enum solver solver, struct modes *ret)
@@ -259,6 +273,28 @@ enum status modes_lowest(const struct model *m, int k, enum solver solver, struc
     return s;
 }
 
+enum status modes_of_part(const struct model *m, enum part part, int mode, double *ret_omega)
+{
+    struct part_modes p = {.k = mode};
+    int n = part_width(part) * m->n, dense = m->n <= DENSE_ELEMENTS || mode > lanczos_most(n);
+    double *V = model_vector(m);
+    enum status s = V ? SW_OK : SW_NOMEM;
+
+    if (mode > n || (dense && m->n > MODES_MAX_ELEMENTS))
+        s = SW_ADMISSIBLE;
+    if (s == SW_OK)
+        s = part_new(m, part, &p);
+    if (s == SW_OK)
+        s = part_solve(&p, dense);
+    if (s == SW_OK) {
+        scatter(m, part, p.x + (size_t)n * (size_t)(mode - 1), V);
+        *ret_omega = sqrt(model_quotient(m, V));
+    }
+    part_free(&p);
+    free(V);
+    return s;
+}
+
 void modes_free(struct modes *p)
 {
     free(p->omega);
@@ -267,9 +303,9 @@ void modes_free(struct modes *p)
     *p = (struct modes){0};
 }
 
-double modes_frequency(const struct modes *p, int i)
+double hertz(double omega)
 {
-    return p->omega[i] / (2 * PI);
+    return omega / (2 * PI);
 }
 
 void modes_shape(const struct model *m, const struct modes *p, int i, double *V)

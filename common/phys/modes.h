@@ -42,10 +42,14 @@ int modes_lanczos_most(int n);
  */
 enum status modes_lowest(const struct model *m, int k, enum solver solver, struct modes *ret);
 
+/* Circular frequency of mode number mode (from 1) of one part alone (PART_PLANE, PART_LATERAL).
+ * SW_ADMISSIBLE: the mesh has no such mode; SW_NOMEM, SW_INDEFINITE, SW_NOCONV. */
+enum status modes_of_part(const struct model *m, enum part part, int mode, double *ret_omega);
+
 void modes_free(struct modes *p);
 
-/* Frequency of mode i [Hz]. */
-double modes_frequency(const struct modes *p, int i);
+/* Frequency [Hz] of a circular frequency [rad/s]. */
+double hertz(double omega);
 
 /* V (all nodes) = mode i as it is, zero at the supports. */
 void modes_shape(const struct model *m, const struct modes *p, int i, double *V);

@@ -75,6 +75,21 @@ void note(const char *format, ...)
     va_end(args);
 }
 
+/* say for a text without arguments. */
+static void say_text(const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    say(format, args);
+    va_end(args);
+}
+
+void report(const struct why *w)
+{
+    say_text("%s", w->text);
+}
+
 void die(enum status s, const char *format, ...)
 {
     va_list args;

@@ -32,6 +32,9 @@ int err_quiet(void);
 __attribute__((format(printf, 1, 2))) void warn(const char *format, ...);
 __attribute__((format(printf, 1, 2))) void note(const char *format, ...);
 
+/* Print w's text, also with quiet: an error that does not end the tool. */
+void report(const struct why *w);
+
 /* Print the message and exit with the status of s. */
 __attribute__((format(printf, 2, 3), noreturn)) void die(enum status s, const char *format, ...);
 

@@ -164,16 +164,31 @@ void out_number(struct out *o, double x)
 {
     char text[NUMBER_SIZE];
 
-    fwrite(text, 1, number_print(x, text), o->f);
+    fwrite_unlocked(text, 1, number_print(x, text), o->f);
 }
 
 void out_row(struct out *o, const double *x, int n)
 {
     for (int i = 0; i < n; i++) {
         out_number(o, x[i]);
-        putc(i < n - 1 ? ',' : '\n', o->f);
+        putc_unlocked(i < n - 1 ? ',' : '\n', o->f);
     }
     out_failed(o);
+}
+
+void out_cell(struct out *o, const char *text)
+{
+    int quoted = text[strcspn(text, ",\"\r\n")] != '\0';
+
+    if (quoted)
+        putc_unlocked('"', o->f);
+    for (; *text; text++) {
+        if (*text == '"')
+            putc_unlocked('"', o->f);
+        putc_unlocked(*text, o->f);
+    }
+    if (quoted)
+        putc_unlocked('"', o->f);
 }
 
 int out_failed(struct out *o)

@@ -34,6 +34,9 @@ void out_number(struct out *o, double x);
 /* n numbers with commas between them and a line end. */
 void out_row(struct out *o, const double *x, int n);
 
+/* One cell of CSV: quoted where it holds a comma, a quote or a line end. */
+void out_cell(struct out *o, const char *text);
+
 /* Whether writing has failed so far: for long runs. */
 int out_failed(struct out *o);
 

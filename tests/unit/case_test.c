@@ -84,8 +84,8 @@ static void defaults(void **state)
     (void)state;
 
     good(BASE, NULL);
-    assert_true(c.cable.drop == 0 && c.cable.g == 9.81 && c.elements == 20 && c.law == LAW_HOOKE);
-    assert_true(isnan(c.youngs_modulus) && isnan(c.area) && c.cable.EA == 1e6);
+    assert_true(c.bare.drop == 0 && c.bare.g == 9.81 && c.elements == 20 && c.law == LAW_HOOKE);
+    assert_true(isnan(c.youngs_modulus) && isnan(c.area) && c.bare.EA == 1e6);
     assert_true(c.alpha == 0 && c.beta == 0);
     assert_int_equal(c.n_motions, 0);
     assert_int_equal(c.n_disturbances, 0);
@@ -121,7 +121,7 @@ static void output_interval(void **state)
     near_rel(c.time.output_every, 0.125, 0);
     good(BASE, NULL);
     assert_int_equal(line_solve(&c.cable, &line), SW_OK); /* a string: omega = pi/l sqrt(H/m) */
-    near_rel(c.time.output_every, 2 * c.cable.span / 50 / sqrt(line.H / 2 * 10.01 / 10), 1e-14);
+    near_rel(c.time.output_every, 2 * c.bare.span / 50 / sqrt(line.H / 2 * 10.01 / 10), 1e-14);
     good(BASE, "motion.amplitude=0 0 0", "motion.omega=1e-9");
     fixed_point();
     good(BASE, "cable.unstressed_length=1e9", "supports.span=1e-6", "gravity.acceleration=1e-300");
@@ -136,7 +136,7 @@ static void stiffness_both_ways(void **state)
     (void)state;
 
     good(text, NULL);
-    near_rel(c.cable.EA, 5e7, 0);
+    near_rel(c.bare.EA, 5e7, 0);
     fixed_point();
     shown = printed(&c);
     assert_non_null(strstr(shown, "youngs_modulus = 200000000000\narea = 0.00025\n"));
@@ -312,7 +312,7 @@ static void sets(void **state)
 {
     (void)state;
     good(BASE, "supports.drop=3", "mesh.elements=7", "cable.axial_stiffness=5", "mesh.law=printed");
-    assert_true(c.cable.drop == 3 && c.elements == 7 && c.cable.EA == 5 && c.law == LAW_PRINTED);
+    assert_true(c.bare.drop == 3 && c.elements == 7 && c.bare.EA == 5 && c.law == LAW_PRINTED);
     good(BASE "[time]\nend = 3\n", "time.end=");
     assert_true(isnan(c.time.end));
     good(BASE, "mesh.elements=7", "mesh.elements=8");

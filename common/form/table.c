@@ -1,0 +1,84 @@
+/* Tables of cables, row by row. */
+#include "form/table.h"
+#include "form/resolve.h"
+#include "num/mem.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static enum status take_header(struct table *t, struct why *why)
+{
+    for (int i = 0; i < t->n; i++) {
+        const char *name = t->csv.cell[i];
+
+        t->key[i] = case_model_key(name);
+        for (int j = 0; j < i; j++)
+            if (strcmp(name, t->csv.cell[j]) == 0 || (t->key[i] && t->key[i] == t->key[j]))
+                return csv_fail(why, &t->csv, "columns %d and %d are both '%.60s'", j + 1, i + 1,
+                                name);
+        if (!t->key[i] && strcmp(name, "name") != 0)
+            warn("%s:%d: column %d: '%.60s' is no key of a cable; it is only copied", t->csv.name,
+                 t->csv.line, i + 1, name);
+    }
+    return SW_OK;
+}
+
+enum status table_begin(const struct in *in, const struct opt_list *sets, struct table *ret,
+                        struct why *why)
+{
+    enum status s;
+
+    *ret = (struct table){.n = 0};
+    s = case_model_defaults(sets, &ret->blank, why);
+    if (s == SW_OK)
+        s = csv_begin(in, &ret->csv, why);
+    if (s == SW_OK)
+        s = csv_header(&ret->csv, why);
+    if (s == SW_OK) {
+        ret->n = ret->csv.n;
+        ret->key = mem_zeroed((size_t)ret->n, sizeof *ret->key);
+        s = ret->key ? take_header(ret, why) : fail_plain(why, SW_NOMEM);
+    }
+    if (s != SW_OK)
+        table_end(ret);
+    return s;
+}
+
+enum status table_row(struct table *t, struct cable_case *ret, struct why *why)
+{
+    char place[512];
+    struct reading r = {.row = place, .why = why};
+    enum status s = csv_row(&t->csv, why);
+
+    if (s != SW_OK || !t->csv.cell)
+        return s;
+    snprintf(place, sizeof place, "%.400s:%d", t->csv.name, t->csv.line);
+    if (t->csv.n != t->n)
+        return csv_fail(why, &t->csv, "%d cells; the header has %d", t->csv.n, t->n);
+    *ret = t->blank;
+    for (int i = 0; i < t->n; i++) {
+        struct why cell;
+
+        if (t->key[i] && t->csv.cell[i][0] != '\0' &&
+            key_read(t->key[i], t->csv.cell[i], ret, &cell) != SW_OK)
+            return csv_fail(why, &t->csv, "column %d: %.400s", i + 1, cell.text);
+    }
+    return case_resolve_model(&r, ret);
+}
+
+void table_print(const struct table *t, struct out *o)
+{
+    for (int i = 0; i < t->n; i++) {
+        if (i > 0)
+            putc(',', o->f);
+        if (i < t->csv.n)
+            out_cell(o, t->csv.cell[i]);
+    }
+}
+
+void table_end(struct table *t)
+{
+    csv_end(&t->csv);
+    free(t->key);
+    t->key = NULL;
+}
