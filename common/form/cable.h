@@ -6,6 +6,7 @@
 #define SEILWERK_FORM_CABLE_H
 
 #include "form/keys.h"
+#include "phys/damper.h"
 #include "phys/find.h"
 #include "phys/march.h"
 #include "sys/opt.h"
@@ -23,12 +24,6 @@ struct disturbance {
     int node;            /* 1..elements-1, or -1 */
     double amplitude[3]; /* mode: largest nodal displacement, first place; node: three */
     int kind;            /* enum kick */
-};
-
-struct damper {
-    double position; /* theta/L0 */
-    double direction[3];
-    double coefficient; /* [N s/m] */
 };
 
 struct time_plan {

@@ -1,6 +1,7 @@
 /* The model directory, written and verified. */
 #include "form/modeldir.h"
 #include "num/mem.h"
+#include "phys/turn.h"
 #include "sys/npy.h"
 
 #include <errno.h>
@@ -51,6 +52,10 @@ static enum status partitions(const struct model *m, struct content *c)
 
     if (s == SW_OK)
         s = model_stiffness(m, PART_ALL, &K);
+    if (s == SW_OK && !axes_are_plain(&m->axes)) {
+        turn_matrix(&m->axes, &M);
+        turn_matrix(&m->axes, &K);
+    }
     if (s == SW_OK)
         s = model_partition(m, &M, &c->M);
     if (s == SW_OK)
@@ -75,13 +80,15 @@ static void fill_line(const struct model *m, double *line)
         double theta = m->line.cable.L0 * ((double)k / m->n);
         struct line_point p;
         struct material at;
+        double x[3];
 
         line_at(&m->line, theta, &p);
         material_at(&m->line, m->law, theta, &at);
+        axes_to_space(&m->axes, (double[3]){p.x1, p.x2, 0}, x);
         line[k] = theta;
-        line[k + rows] = p.x1;
-        line[k + 2 * rows] = p.x2;
-        line[k + 3 * rows] = 0;
+        line[k + rows] = x[0];
+        line[k + 2 * rows] = x[1];
+        line[k + 3 * rows] = x[2];
         line[k + 4 * rows] = p.tension;
         line[k + 5 * rows] = at.T;
     }
@@ -154,17 +161,21 @@ enum status modeldir_make(const char *dir, struct why *why)
 enum status modeldir_write(const char *dir, const struct cable_case *c, const struct model *m,
                            const struct modes *modes, struct why *why)
 {
-    struct content content;
+    struct content content = {.dofs = NULL};
     struct out out[N_ARRAYS + 1];
     char *path[N_ARRAYS + 1];
     size_t n = (size_t)modes->n, k = (size_t)modes->k;
-    enum status s;
+    double *phi = mem_copy(modes->phi, sizeof *phi * n * k); /* in the axes of space */
+    enum status s = phi ? content_new(m, &content) : SW_NOMEM;
 
-    s = content_new(m, &content);
-    if (s != SW_OK)
+    if (s != SW_OK) {
+        free(phi);
         return fail_plain(why, s);
+    }
+    for (size_t i = 0; i < k && !axes_are_plain(&m->axes); i++)
+        turn_free(&m->axes, TURN_TO_SPACE, m->n, phi + n * i);
     content.array[OMEGA] = (struct array){1, k, 1, modes->omega};
-    content.array[MODES] = (struct array){2, n, k, modes->phi};
+    content.array[MODES] = (struct array){2, n, k, phi};
     for (int i = 0; i <= N_ARRAYS; i++) {
         path[i] = join(dir, i < N_ARRAYS ? array_name[i] : "case.ini");
         if (!path[i])
@@ -174,6 +185,7 @@ enum status modeldir_write(const char *dir, const struct cable_case *c, const st
         s = write_files(out, path, &content, c, why);
     for (int i = 0; i <= N_ARRAYS; i++)
         free(path[i]);
+    free(phi);
     content_free(&content);
     return s;
 }
@@ -290,6 +302,8 @@ static enum status read_modes(const char *dir, const struct model *m, const stru
                  dir);
     if (s == SW_OK && !modes_fit(c, ret, work))
         s = fail(why, SW_FORMAT, "%s: omega.npy and modes.npy are not modes of its matrices", dir);
+    for (int i = 0; i < ret->k && s == SW_OK && !axes_are_plain(&m->axes); i++)
+        turn_free(&m->axes, TURN_TO_PLANE, m->n, ret->phi + (size_t)ret->n * (size_t)i);
     if (s != SW_OK)
         modes_free(ret);
     free(work);

@@ -1,9 +1,9 @@
 /* All eigenpairs of a band pencil: dense solution, then the low end polished with the band. */
 #include "num/pencil.h"
+#include "num/dense.h"
 #include "num/mem.h"
 
 #include <cblas.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -13,16 +13,6 @@ static void unpack(const struct band *A, double *dense)
     for (int j = 0; j < A->n; j++)
         for (int i = j; i < A->n && i - j <= A->kd; i++)
             dense[(size_t)i + (size_t)A->n * (size_t)j] = *band_at(A, i, j);
-}
-
-/* A x = lambda B x, dense (n, n), lower triangles given; the vectors overwrite A, B is lost. */
-static enum status dense_pencil(int n, double *A, double *B, double *lambda)
-{
-    int info = LAPACKE_dsygvd(LAPACK_COL_MAJOR, 1, 'V', 'L', n, A, n, B, n, lambda);
-
-    if (info == LAPACK_WORK_MEMORY_ERROR || info == LAPACK_TRANSPOSE_MEMORY_ERROR)
-        return SW_NOMEM;
-    return info == 0 ? SW_OK : info > n ? SW_INDEFINITE : SW_NOCONV;
 }
 
 static int all_finite(const struct band *A)

@@ -37,6 +37,11 @@ double material_tension(const struct material *m, double gamma)
     return force * sqrt(fmax(0, m->stretch * m->stretch + 2 * gamma));
 }
 
+double material_tension_rate(const struct material *m)
+{
+    return m->EA * m->stretch + m->tension / (m->stretch * m->stretch);
+}
+
 void hermite(double h, double xi, double f[4], double f1[4])
 {
     double eta = 1 - xi;

@@ -29,6 +29,9 @@ void material_at(const struct line *s, enum law law, double theta, struct materi
 /* Physical tension [N] of the moving cable with Green's strain gamma against the static state. */
 double material_tension(const struct material *m, double gamma);
 
+/* Its derivative by gamma at gamma = 0. */
+double material_tension_rate(const struct material *m);
+
 /* Abscissae in (0, 1) and weights (sum 1) of the Gauss rule. */
 extern const double gauss_at[GAUSS], gauss_weight[GAUSS];
 

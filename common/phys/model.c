@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum status model_new(const struct cable *c, enum law law, int n, struct model *ret)
 {
@@ -204,28 +205,70 @@ double model_gauss_theta(const struct model *m, int point)
     return m->h * (point / GAUSS + gauss_at[point % GAUSS]);
 }
 
-void model_probe(const struct model *m, double fraction, const double *V, double v[3],
-                 double *tension)
+/* Element of theta = fraction L0 and the Hermite functions there. */
+static int find_place(const struct model *m, double fraction, double f[4], double f1[4])
 {
-    double at = fraction * m->n, f[4], f1[4], u[3] = {0, 0, 0}, w[3] = {0, 0, 0}, gamma;
+    double at = fraction * m->n;
     int k = at < m->n ? (int)at : m->n - 1;
-    const double *node = V + 6 * (size_t)k;
-    struct material here;
 
     hermite(m->h, at - k, f, f1);
-    for (int c = 0; c < 3; c++)
+    return k;
+}
+
+/* Displacement u (axes of the plane) and its slope w at theta = fraction L0. */
+static void interpolate(const struct model *m, double fraction, const double *V, double u[3],
+                        double w[3])
+{
+    double f[4], f1[4];
+    const double *node = V + 6 * (size_t)find_place(m, fraction, f, f1);
+
+    for (int c = 0; c < 3; c++) {
+        u[c] = w[c] = 0;
         for (int i = 0; i < 4; i++) {
             double unknown = node[i / 2 * 6 + 2 * c + i % 2];
 
             u[c] += f[i] * unknown;
             w[c] += f1[i] * unknown;
         }
+    }
+}
+
+void model_probe(const struct model *m, double fraction, const double *V, double v[3],
+                 double *tension)
+{
+    double u[3], w[3], gamma;
+    struct material here;
+
+    interpolate(m, fraction, V, u, w);
     axes_to_space(&m->axes, u, v);
     if (!tension)
         return;
     material_at(&m->line, m->law, fraction * m->line.cable.L0, &here);
     gamma = here.x1 * w[0] + here.x2 * w[1] + (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / 2;
     *tension = material_tension(&here, gamma);
+}
+
+void model_probe_small(const struct model *m, double fraction, const double *V, double v[3],
+                       double *change)
+{
+    double u[3], w[3];
+    struct material here;
+
+    interpolate(m, fraction, V, u, w);
+    axes_to_space(&m->axes, u, v);
+    material_at(&m->line, m->law, fraction * m->line.cable.L0, &here);
+    *change = material_tension_rate(&here) * (here.x1 * w[0] + here.x2 * w[1]);
+}
+
+void model_point_load(const struct model *m, double fraction, const double direction[3], double *b)
+{
+    double f[4], f1[4];
+    double *node = b + 6 * (size_t)find_place(m, fraction, f, f1);
+
+    memset(b, 0, sizeof *b * model_unknowns(m));
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < 4; i++)
+            node[i / 2 * 6 + 2 * c + i % 2] = f[i] * direction[c];
 }
 
 double model_omega_max(const struct model *m)

@@ -101,6 +101,15 @@ double model_gauss_theta(const struct model *m, int point);
 void model_probe(const struct model *m, double fraction, const double *V, double v[3],
                  double *tension);
 
+/* The same for a small V: displacement in the axes of space, and the first-order change of the
+ * physical tension [N]. */
+void model_probe_small(const struct model *m, double fraction, const double *V, double v[3],
+                       double *change);
+
+/* Unit force at a point: b^T V is direction . v at theta = fraction L0, direction in the
+ * axes of the line's plane.  b is over all nodes and is set whole. */
+void model_point_load(const struct model *m, double fraction, const double direction[3], double *b);
+
 /* Largest circular frequency of the model [rad/s], sqrt(42 max c^2)/h with
  * c^2 = (EA a^2 + T)/mu: exact for a straight uniform cable, else slightly high (theory c4). */
 double model_omega_max(const struct model *m);

@@ -1,0 +1,41 @@
+/* Small dense problems by LAPACK. */
+#include "num/dense.h"
+
+#include <lapacke.h>
+
+/* Status of an info that is not 0 for the reason given. */
+static enum status judge(int info, enum status reason)
+{
+    if (info == LAPACK_WORK_MEMORY_ERROR || info == LAPACK_TRANSPOSE_MEMORY_ERROR)
+        return SW_NOMEM;
+    return info == 0 ? SW_OK : reason;
+}
+
+enum status dense_invert(int n, double *A)
+{
+    int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', n, A, n);
+
+    if (info == 0)
+        info = LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', n, A, n);
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < j; i++)
+            A[i + n * j] = A[j + n * i];
+    return judge(info, SW_INDEFINITE);
+}
+
+enum status dense_symmetric(int n, double *A, double *lambda)
+{
+    return judge(LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'L', n, A, n, lambda), SW_NOCONV);
+}
+
+enum status dense_pencil(int n, double *A, double *B, double *lambda)
+{
+    int info = LAPACKE_dsygvd(LAPACK_COL_MAJOR, 1, 'V', 'L', n, A, n, B, n, lambda);
+
+    return judge(info, info > n ? SW_INDEFINITE : SW_NOCONV);
+}
+
+enum status dense_general(int n, double *A, double *re, double *im, double *x)
+{
+    return judge(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', n, A, n, re, im, x, 1, x, n), SW_NOCONV);
+}
