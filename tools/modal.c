@@ -99,7 +99,7 @@ static void find_modes(int k)
             most);
     if (s == SW_ADMISSIBLE)
         die(SW_USAGE,
-            "all modes are found at once for up to %d elements, the case has %d: give --modes, up "
+            "all modes are found at once for up to %d elements: give --modes, for %d elements up "
             "to %d",
             MODES_MAX_ELEMENTS, c.elements, most);
     if (s != SW_OK)
