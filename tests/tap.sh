@@ -52,6 +52,23 @@ says()
     ok $found "$2"
 }
 
+# header FILE TEXT NAME: the first line of FILE.
+header()
+{
+    [ "$(head -n 1 "$1")" = "$2" ] || echo "# $(head -n 1 "$1")"
+    [ "$(head -n 1 "$1")" = "$2" ]
+    ok $? "$3"
+}
+
+# holds AWK-CONDITION FILE NAME: the condition, over fields f[row, column] (header is row 0).
+holds()
+{
+    awk -F, '{ for (i = 1; i <= NF; i++) f[NR - 1, i] = $i; n = NR - 1 }
+        function abs(x) { return x < 0 ? -x : x }
+        END { exit !('"$1"') }' "$2"
+    ok $? "$3"
+}
+
 skip()
 {
     tests=$((tests + 1))

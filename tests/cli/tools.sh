@@ -4,23 +4,6 @@
 cd "$scratch" || exit 1
 cp "$top/scripts/experiments/ben-ahin/case.ini" stay.ini
 
-# header FILE TEXT NAME
-header()
-{
-    [ "$(head -n 1 "$1")" = "$2" ] || echo "# $(head -n 1 "$1")"
-    [ "$(head -n 1 "$1")" = "$2" ]
-    ok $? "$3"
-}
-
-# holds AWK-CONDITION FILE NAME: the condition, over fields f[row, column] (header is row 0).
-holds()
-{
-    awk -F, '{ for (i = 1; i <= NF; i++) f[NR - 1, i] = $i; n = NR - 1 }
-        function abs(x) { return x < 0 ? -x : x }
-        END { exit !('"$1"') }' "$2"
-    ok $? "$3"
-}
-
 for tool in catenary modal diffverf; do
     runs 0 "$tool --help ends well" "$tool" --help
     grep -q "usage: $tool" out
@@ -49,7 +32,7 @@ holds 'abs(f[11, 3] - 30) < 1e-10 && f[1, 5] > f[11, 5]' out \
     'catenary: the right support lies below by drop'
 
 runs 0 'modal' modal stay.ini
-header out mode,omega_rad_s,frequency_Hz,period_s,plane 'modal: columns'
+header out mode,omega_rad_s,frequency_Hz,period_s,plane,kind,symmetry,damping_ratio 'modal: columns'
 holds 'n == 60 && f[1, 5] == "out" && f[2, 5] == "in" && abs(f[1, 2] - 7.82866) < 5e-6 &&
     abs(f[1, 3] * f[1, 4] - 1) < 1e-12' out 'modal: six modes an element, published frequency'
 runs 0 'modal --modes' modal --modes 3 stay.ini

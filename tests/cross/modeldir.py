@@ -1,7 +1,8 @@
-"""usage: modeldir.py DIR LINE.csv SPAN DROP
+"""usage: modeldir.py DIR LINE.csv SUMMARY.csv SPAN DROP
 
 Read a model directory of modal by numpy, solve its matrices by scipy, and print a line for each
-test: 0 (passed) or 1, then its name.  LINE.csv is the table of catenary for the same case.
+test: 0 (passed) or 1, then its name.  LINE.csv and SUMMARY.csv are the tables
+of catenary for the same case.
 """
 import configparser
 import os
@@ -43,6 +44,16 @@ def number(case, section, key):
     return float(case[section][key].split()[0])
 
 
+def load(case):
+    """Mass per metre of the hot unstressed length, and the force per metre of it."""
+    stretch = 1 + number(case, "load", "temperature_change") * number(
+        case, "load", "expansion_coefficient")
+    mass = number(case, "cable", "mass_per_length") + number(case, "load", "ice_mass_per_length")
+    force = np.array([float(x) for x in case["load"]["wind"].split()])
+    force[1] += mass * number(case, "gravity", "acceleration")
+    return mass / stretch, force / stretch, stretch
+
+
 def rigidity(case):
     if "axial_stiffness" in case["cable"]:
         return number(case, "cable", "axial_stiffness")
@@ -72,16 +83,17 @@ def test_dofs(a, n):
 def test_static(a, case, line, span, drop):
     s, EA = a["static"], rigidity(case)
     below(abs(s[:, 5] / (s[:, 4] / (1 + s[:, 4] / EA)) - 1).max(), 1e-14, "static: T = T*/a")
-    below(abs(s[:, [0, 1, 2, 4]] - line[:, :4]).max(), 0, "static: theta, x1, x2, T* of catenary")
-    below(abs(s[:, 3]).max(), 0, "static: x3 = 0")
-    below(abs(s[-1, 1:3] - [span, drop]).max(), 1e-12 * span, "static: ends at the right support")
-    below(abs(s[-1, 0] / number(case, "cable", "unstressed_length") - 1), 1e-15,
-          "static: theta up to the unstressed length")
+    below(abs(s[:, [0, 1, 2, 4, 3]] - line[:, [0, 1, 2, 3, 6]]).max(), 0,
+          "static: theta, x1, x2, x3, T* of catenary")
+    below(abs(s[-1, 1:4] - [span, drop, 0]).max(), 1e-12 * span, "static: ends at the right support")
+    length = number(case, "cable", "unstressed_length") * load(case)[2]
+    below(abs(s[-1, 0] / length - 1), 1e-15, "static: theta up to the unstressed length")
 
 
-def assemble(n, h, mu, EA, H, V, W):
+def assemble(n, h, mu, EA, left, q):
     """M and K over all nodes, law hooke, from theory: K = int D' [EA cc' + T (I - cc')] D with the
-    unit tangent c of the static line and T = T*/a; 5 Gauss points an element."""
+    unit tangent c of the static line and T = T*/a; 5 Gauss points an element.  left: tension at
+    the left end, q: load per unstressed metre, both vectors in space."""
     M, K = np.zeros((6 * n + 6, 6 * n + 6)), np.zeros((6 * n + 6, 6 * n + 6))
     points, weights = np.polynomial.legendre.leggauss(5)
     for e in range(n):
@@ -94,7 +106,7 @@ def assemble(n, h, mu, EA, H, V, W):
             for axis in range(3):
                 columns = [2 * axis, 2 * axis + 1, 2 * axis + 6, 2 * axis + 7]
                 N[axis, columns], D[axis, columns] = f, f1
-            force = np.array([H, V - W * (e + x) / n, 0])
+            force = left - q * (e + x) * h
             tension = np.linalg.norm(force)
             cc = np.outer(force, force) / tension**2
             T = tension / (1 + tension / EA)
@@ -103,14 +115,13 @@ def assemble(n, h, mu, EA, H, V, W):
     return M, K
 
 
-def test_matrices(a, n, case, line):
+def test_matrices(a, n, case, left):
     """All six matrix files against an assembly of their own."""
-    mu, L0 = number(case, "cable", "mass_per_length"), number(case, "cable", "unstressed_length")
-    H, V = line[0, 3] * np.cos(line[0, 5]), line[0, 3] * np.sin(line[0, 5])
-    W = mu * number(case, "gravity", "acceleration") * L0
+    mu, q, _ = load(case)
+    L0 = a["static"][-1, 0]
     held = [6 * node + 2 * axis for node in (0, n) for axis in range(3)]
     free = a["dofs"].astype(int)
-    for name, A in zip(("mass", "stiffness"), assemble(n, L0 / n, mu, rigidity(case), H, V, W)):
+    for name, A in zip(("mass", "stiffness"), assemble(n, L0 / n, mu, rigidity(case), left, q)):
         for part, got, wanted in (("", full(a[name]), A[np.ix_(free, free)]),
                                   ("_support", a[name + "_support"], A[np.ix_(free, held)]),
                                   ("_reaction", a[name + "_reaction"], A[np.ix_(held, held)])):
@@ -168,20 +179,22 @@ def test_modes(a):
 
 
 def main():
-    if len(sys.argv) != 5:
+    if len(sys.argv) != 6:
         sys.exit(__doc__)
-    directory, table, span, drop = sys.argv[1], sys.argv[2], float(sys.argv[3]), float(sys.argv[4])
+    directory, table, summary = sys.argv[1:4]
+    span, drop = float(sys.argv[4]), float(sys.argv[5])
     case = configparser.ConfigParser(interpolation=None)
     case.read(os.path.join(directory, "case.ini"))
     n = int(case["mesh"]["elements"])
     a = read(directory)
     line = np.loadtxt(table, delimiter=",", skiprows=1, ndmin=2)
+    key = np.genfromtxt(summary, delimiter=",", names=True)
+    left = np.array([key[k] for k in ("horizontal_force_N", "vertical_left_N", "lateral_left_N")])
     test_files(a, n)
     test_dofs(a, n)
     test_static(a, case, line, span, drop)
-    test_matrices(a, n, case, line)
-    test_translation(a, number(case, "cable", "mass_per_length")
-                     * number(case, "cable", "unstressed_length"))
+    test_matrices(a, n, case, left)
+    test_translation(a, load(case)[0] * a["static"][-1, 0])
     test_modes(a)
 
 
