@@ -16,6 +16,7 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <time.h>
+#include <unistd.h>
 
 #define RUNS 5
 #define REFERENCE 35.0 /* GF/s of dgemm that the targets assume */
@@ -163,6 +164,59 @@ static double modes_time(int n)
     return 1e3 * (now() - t);
 }
 
+/* Seconds of the 20 lowest modes of PONT, by Lanczos with its Sturm count. */
+static double lanczos_time(int n)
+{
+    double t = now();
+    struct model m;
+    struct modes p;
+
+    expect(model_new(&pont, LAW_HOOKE, n, &m));
+    expect(modes_lowest(&m, 20, SOLVER_LANCZOS, &p));
+    if (p.counted < 20 || fabs(p.omega[0] - 7.828663161) > 1e-8)
+        expect(SW_NOCONV);
+    modes_free(&p);
+    model_free(&m);
+    return now() - t;
+}
+
+#define TABLE "seilwerk-bench.csv"
+
+/* Rows a second of catenary --table, reading and printing included: n random cables in a file. */
+static double table_rate(int n)
+{
+    const char *dir = getenv("TMPDIR");
+    char path[512], command[600];
+    uint64_t u = 88172645463325252ULL;
+    double t;
+    FILE *f;
+
+    snprintf(path, sizeof path, "%s/%d-" TABLE, dir ? dir : "/tmp", (int)getpid());
+    f = checked(fopen(path, "w"));
+    fputs("span,drop,unstressed_length,mass_per_length,axial_stiffness\n", f);
+    for (int i = 0; i < n; i++) {
+        double x[3];
+
+        for (int j = 0; j < 3; j++) {
+            u ^= u << 13;
+            u ^= u >> 7;
+            u ^= u << 17;
+            x[j] = (double)(u >> 11) * 0x1p-53;
+        }
+        fprintf(f, "%.3f,%.3f,%.4f,%.2f,%.4g\n", 50 + 200 * x[0], 80 * x[1] - 40,
+                hypot(50 + 200 * x[0], 80 * x[1] - 40) * (0.999 + 0.05 * x[2]), 1 + 50 * x[1],
+                1e7 + 1e9 * x[2]);
+    }
+    fclose(f);
+    snprintf(command, sizeof command, "catenary --table -o /dev/null '%s'", path);
+    t = now();
+    if (system(command) != 0)
+        expect(SW_NOCONV);
+    t = now() - t;
+    remove(path);
+    return n / t;
+}
+
 /* Nanoseconds of one printed number, random bits. */
 static double print_time(int n)
 {
@@ -197,6 +251,7 @@ static void report(const char *what, double x, const char *unit, double target, 
 int main(void)
 {
     static const int meshes[] = {10, 100, 1000, 10000}, sizes[] = {10, 100, 400};
+    static const int large[] = {1000, 10000, 100000};
     static const double wanted_ms[] = {1, 50, 1500};
     double speed, scale;
     char what[64];
@@ -207,7 +262,9 @@ int main(void)
     scale = speed / REFERENCE;
     printf("targets are for %.0f GF/s of dgemm, scaled by %.2f\n", REFERENCE, scale);
     report("dgemm, n = 1000", speed, "GF/s", 0, 1);
-    report("static line", median(line_time, 200000), "us", 1 / scale, 0);
+    report("static line: cables solved", 1e6 / median(line_time, 200000), "1/s", 1e6 * scale, 1);
+    report("catenary --table: rows read and printed", median(table_rate, 200000), "1/s",
+           1e5 * scale, 1);
     report("number printed", median(print_time, 1000000), "ns", 150 / scale, 0);
     for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
         snprintf(what, sizeof what, "diffverf, all terms, beta > 0, n = %d", meshes[i]);
@@ -219,6 +276,12 @@ int main(void)
     }
     getrusage(RUSAGE_SELF, &usage);
     report("memory for this", (double)usage.ru_maxrss / 1024, "MB", 300, 0);
+    for (size_t i = 0; i < sizeof large / sizeof *large; i++) {
+        snprintf(what, sizeof what, "modal --modes 20, n = %d", large[i]);
+        report(what, median(lanczos_time, large[i]), "s", large[i] == 100000 ? 4 / scale : 0, 0);
+    }
+    getrusage(RUSAGE_SELF, &usage);
+    report("memory for this", (double)usage.ru_maxrss / 1024, "MB", 1500, 0);
     report("triad, 3 x 160 MB", median(triad, 20000000), "GB/s", 0, 1);
     return 0;
 }
