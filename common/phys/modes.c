@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define DENSE_ELEMENTS 30 /* up to here the dense solution is the faster one */
+#define DENSE_ELEMENTS 30 /* up to here modes_lowest takes the dense solution */
 
 /* The pencil of one part without its prescribed unknowns, and its modes. */
 struct part_modes {
@@ -276,7 +276,7 @@ enum status modes_lowest(const struct model *m, int k, enum solver solver, struc
 enum status modes_of_part(const struct model *m, enum part part, int mode, double *ret_omega)
 {
     struct part_modes p = {.k = mode};
-    int n = part_width(part) * m->n, dense = m->n <= DENSE_ELEMENTS || mode > lanczos_most(n);
+    int n = part_width(part) * m->n, dense = 2 * mode > m->n;
     double *V = model_vector(m);
     enum status s = V ? SW_OK : SW_NOMEM;
 
