@@ -108,10 +108,11 @@ static double triad(int n)
 /* Element-steps a second of SEIL2, all terms, with beta > 0. */
 static double march_rate(int n)
 {
-    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0};
+    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0, NULL};
     const double b[6] = {0, 0, 0, 0.05, 0, 0};
     long steps = 4000000 / n;
-    struct march_options o = {0.1095, 3.5e-3, 0, 3, &deck, 1};
+    struct march_options o = {
+        .alpha = 0.1095, .beta = 3.5e-3, .dt = 0, .terms = 3, .motion = &deck, .n_motions = 1};
     struct model m;
     struct march a;
     double *V = checked(mem_doubles(6 * ((size_t)n + 1))), t;

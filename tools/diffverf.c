@@ -141,7 +141,14 @@ static struct grid set_up(void)
         die(s, "model: %s", status_text(s));
     grid = lay_grid();
     get_modes();
-    how = (struct march_options){c.alpha, c.beta, grid.dt, c.terms, c.motion, c.n_motions};
+    how = (struct march_options){.alpha = c.alpha,
+                                 .beta = c.beta,
+                                 .dt = grid.dt,
+                                 .terms = c.terms,
+                                 .motion = c.motion,
+                                 .n_motions = c.n_motions,
+                                 .damper = c.damper,
+                                 .n_dampers = c.n_dampers};
     s = march_new(&model, &how, &march);
     shape = model_vector(&model);
     if (s == SW_OK && !shape)
@@ -245,9 +252,6 @@ int main(int argc, char **argv)
     struct why why;
 
     start_case(&tool, &args.common, argc, argv, &c);
-    if (c.n_dampers > 0)
-        die(SW_USAGE, "%s: [%s]: the time integration takes no dampers; modal --damped does",
-            argv[argc - 1], c.damper_label[0]);
     if (isnan(c.time.end))
         die(SW_USAGE, "%s: [time] end: is missing", argv[argc - 1]);
     grid = set_up();

@@ -1,6 +1,7 @@
 /* Symmetric band matrices. */
 #include "num/band.h"
 #include "num/mem.h"
+#include "num/simd.h"
 
 #include <float.h>
 #include <lapacke.h>
@@ -136,8 +137,8 @@ void band_factor_free(struct band_factor *F)
  * (after) it.  The nearest one (fresh) comes last and from a register: each unknown waits for it by
  * one product and one difference only.
  */
-static inline double forward(const double *l, int kd, int count, const double *x, int j,
-                             double fresh)
+static INLINE_BODY double forward(const double *l, int kd, int count, const double *x, int j,
+                                  double fresh)
 {
     double sum = x[j];
 
@@ -146,8 +147,8 @@ static inline double forward(const double *l, int kd, int count, const double *x
     return count > 0 ? sum - l[kd - 1] * fresh : sum;
 }
 
-static inline double backward(const double *l, int kd, int count, const double *x, int j,
-                              double fresh)
+static INLINE_BODY double backward(const double *l, int kd, int count, const double *x, int j,
+                                   double fresh)
 {
     double sum = x[j];
 
@@ -157,7 +158,7 @@ static inline double backward(const double *l, int kd, int count, const double *
 }
 
 /* x := L^{-1} x and x := L^{-T} x; the caller's constant kd lets the compiler unroll. */
-static inline void solve_forward(const struct band_factor *F, int kd, double *x)
+static INLINE_BODY void solve_forward(const struct band_factor *F, int kd, double *x)
 {
     int n = F->n, ragged = n < kd ? n : kd; /* rows that the matrix' corner cuts short */
     const double *l = F->row;
@@ -169,7 +170,7 @@ static inline void solve_forward(const struct band_factor *F, int kd, double *x)
         x[j] = fresh = forward(l, kd, kd, x, j, fresh);
 }
 
-static inline void solve_backward(const struct band_factor *F, int kd, double *x)
+static INLINE_BODY void solve_backward(const struct band_factor *F, int kd, double *x)
 {
     int n = F->n, ragged = n < kd ? n : kd;
     const double *l = F->column + (size_t)kd * (size_t)n;
@@ -181,7 +182,8 @@ static inline void solve_backward(const struct band_factor *F, int kd, double *x
         x[j] = fresh = backward(l -= kd, kd, kd, x, j, fresh);
 }
 
-static void forward_any(const struct band_factor *F, double *x)
+/* The half bandwidths of cables as constants. */
+static INLINE_BODY void forward_any(const struct band_factor *F, double *x)
 {
     switch (F->kd) {
     case 3: solve_forward(F, 3, x); break;
@@ -191,7 +193,7 @@ static void forward_any(const struct band_factor *F, double *x)
     }
 }
 
-static void backward_any(const struct band_factor *F, double *x)
+static INLINE_BODY void backward_any(const struct band_factor *F, double *x)
 {
     switch (F->kd) {
     case 3: solve_backward(F, 3, x); break;
@@ -201,17 +203,112 @@ static void backward_any(const struct band_factor *F, double *x)
     }
 }
 
-void band_solve(const struct band_factor *F, double *x)
+static void forward_plain(const struct band_factor *F, double *x)
 {
     forward_any(F, x);
+}
+
+FOR_AVX2 static void forward_avx2(const struct band_factor *F, double *x)
+{
+    forward_any(F, x);
+}
+
+static void backward_plain(const struct band_factor *F, double *x)
+{
+    backward_any(F, x);
+}
+
+FOR_AVX2 static void backward_avx2(const struct band_factor *F, double *x)
+{
+    backward_any(F, x);
+}
+
+static void run_forward(const struct band_factor *F, double *x)
+{
+    if (has_avx2())
+        forward_avx2(F, x);
+    else
+        forward_plain(F, x);
+}
+
+static void run_backward(const struct band_factor *F, double *x)
+{
+    if (has_avx2())
+        backward_avx2(F, x);
+    else
+        backward_plain(F, x);
+}
+
+void band_solve(const struct band_factor *F, double *x)
+{
+    run_forward(F, x);
     for (int j = 0; j < F->n; j++)
         x[j] *= F->inverse[j];
-    backward_any(F, x);
+    run_backward(F, x);
+}
+
+/* Four right sides side by side; as forward and backward above. */
+typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
+
+static INLINE_BODY void solve_four(const struct band_factor *F, int kd, double *x)
+{
+    int n = F->n, ragged = n < kd ? n : kd;
+    const double *l = F->row;
+    four *y = (four *)x, fresh = {0};
+
+    for (int j = 0; j < n; j++, l += kd) {
+        int count = j < ragged ? j : kd;
+        four sum = y[j];
+
+        for (int i = kd - count; i < kd - 1; i++)
+            sum -= l[i] * y[j - kd + i];
+        if (count > 0)
+            sum -= l[kd - 1] * fresh;
+        y[j] = fresh = sum;
+    }
+    l = F->column + (size_t)kd * (size_t)n;
+    for (int j = n - 1; j >= 0; j--) {
+        int count = n - 1 - j < kd ? n - 1 - j : kd;
+        four sum = y[j] * F->inverse[j];
+
+        l -= kd;
+        for (int i = kd - count; i < kd - 1; i++)
+            sum -= l[i] * y[j + kd - i];
+        if (count > 0)
+            sum -= l[kd - 1] * fresh;
+        y[j] = fresh = sum;
+    }
+}
+
+static INLINE_BODY void solve_four_any(const struct band_factor *F, double *x)
+{
+    if (F->kd == 3)
+        solve_four(F, 3, x);
+    else
+        solve_four(F, F->kd, x);
+}
+
+static void solve_four_plain(const struct band_factor *F, double *x)
+{
+    solve_four_any(F, x);
+}
+
+FOR_AVX2 static void solve_four_avx2(const struct band_factor *F, double *x)
+{
+    solve_four_any(F, x);
+}
+
+void band_solve_four(const struct band_factor *F, double *x)
+{
+    if (has_avx2())
+        solve_four_avx2(F, x);
+    else
+        solve_four_plain(F, x);
 }
 
 void band_solve_lower(const struct band_factor *F, double *x)
 {
-    forward_any(F, x);
+    run_forward(F, x);
     for (int j = 0; j < F->n; j++)
         x[j] *= sqrt(F->inverse[j]);
 }
@@ -220,7 +317,7 @@ void band_solve_upper(const struct band_factor *F, double *x)
 {
     for (int j = 0; j < F->n; j++)
         x[j] *= sqrt(F->inverse[j]);
-    backward_any(F, x);
+    run_backward(F, x);
 }
 
 /*

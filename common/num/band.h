@@ -71,6 +71,9 @@ void band_factor_free(struct band_factor *F);
 /* x := A^{-1} x, n entries. */
 void band_solve(const struct band_factor *F, double *x);
 
+/* The same for four right sides at once, x(4, n): x[4 j + i] is unknown j of right side i. */
+void band_solve_four(const struct band_factor *F, double *x);
+
 /* The two halves of it, A = C C^T with C = L sqrt(D):  x := C^{-1} x,  x := C^{-T} x. */
 void band_solve_lower(const struct band_factor *F, double *x);
 void band_solve_upper(const struct band_factor *F, double *x);

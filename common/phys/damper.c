@@ -58,8 +58,7 @@ static void add_pieces(const struct line *s, const double *place, int count, dou
     }
 }
 
-/* Unit direction in the axes of the plane. */
-static void direction_of(const struct damper *d, const struct axes *axes, double ret[3])
+void damper_direction(const struct damper *d, const struct axes *axes, double ret[3])
 {
     const double *x = d->direction;
     double size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
@@ -84,8 +83,8 @@ enum status damper_flexibility(const struct line *s, const struct axes *axes,
                 const double *block = K + 3 * at[i] + 3 * count * 3 * at[j];
                 double u[3], v[3], sum = 0;
 
-                direction_of(&d[i], axes, u);
-                direction_of(&d[j], axes, v);
+                damper_direction(&d[i], axes, u);
+                damper_direction(&d[j], axes, v);
                 for (int a = 0; a < 3; a++)
                     for (int b = 0; b < 3; b++)
                         sum += u[a] * block[a + 3 * count * b] * v[b];
@@ -133,7 +132,7 @@ static enum status static_mass(const struct model *m, const struct damper *d, in
     for (int j = 0; j < r && s == SW_OK; j++) {
         double direction[3];
 
-        direction_of(&d[j], &m->axes, direction);
+        damper_direction(&d[j], &m->axes, direction);
         model_point_load(m, d[j].position, direction, b);
         for (size_t i = 0; i < size; i++)
             psi[i + size * (size_t)j] = b[keep[i]];
@@ -218,7 +217,7 @@ static void take_values(const struct model *m, const struct modes *p, const stru
 
             model_probe(m, d[j].position, V, v, NULL);
             axes_to_plane(&m->axes, v, x);
-            direction_of(&d[j], &m->axes, unit);
+            damper_direction(&d[j], &m->axes, unit);
             b->value[k + (b->modes + b->dampers) * j] = dot(3, x, unit);
         }
     }

@@ -28,6 +28,9 @@ struct damper_basis {
     double *swing; /* (modes) circular frequency of damper_solve [rad/s]; owned */
 };
 
+/* Unit direction of d in the axes of the line's plane. */
+void damper_direction(const struct damper *d, const struct axes *axes, double ret[3]);
+
 /* Symmetric flexibility matrix [m/N] (n, n) of the line at the dampers, along their directions:
  * exact for small displacements of the elastic catenary.  SW_NOMEM, SW_INDEFINITE. */
 enum status damper_flexibility(const struct line *s, const struct axes *axes,

@@ -1,6 +1,6 @@
 /* Nonlinear static equilibrium of the model for moved supports. */
 #include "num/mem.h"
-#include "phys/model.h"
+#include "phys/forcing.h"
 
 #include <float.h>
 #include <math.h>
@@ -45,11 +45,19 @@ static enum status guess(const struct model *m, const double b[6], double *V, st
 /* What the iteration works on; vectors over all nodes but d, which holds free unknowns. */
 struct iteration {
     const struct model *m;
+    const struct forcing *forcing; /* or NULL */
     int terms, n_free;
     int *keep;     /* numbers of the free unknowns */
-    double *V, *F; /* state and internal forces */
+    double *V, *F; /* state, and internal forces less those from outside */
     double *d;     /* step */
 };
+
+static void forces(struct iteration *it)
+{
+    model_force(it->m, it->terms, it->V, it->F, NULL);
+    if (it->forcing)
+        forcing_subtract(it->m, it->forcing, 0, it->V, NULL, it->F);
+}
 
 /* d = K_t^{-1} F for the free unknowns, with the tangent kept definite or not. */
 static enum status solve_step(struct iteration *it, int definite)
@@ -97,7 +105,7 @@ static void move(struct iteration *it, double f)
 {
     for (int i = 0; i < it->n_free; i++)
         it->V[it->keep[i]] -= f * it->d[i];
-    model_force(it->m, it->terms, it->V, it->F, NULL);
+    forces(it);
 }
 
 /*
@@ -143,7 +151,7 @@ static enum status iterate(struct iteration *it, const struct line *moved)
     double limit = tolerance(it, moved);
     enum status s = SW_OK;
 
-    model_force(it->m, it->terms, it->V, it->F, NULL);
+    forces(it);
     for (int i = 0; i < MAX_STEPS && s == SW_OK && !(residual(it) <= limit); i++)
         s = step(it);
     return s == SW_OK && !(residual(it) <= limit) ? SW_NOCONV : s;
@@ -151,10 +159,16 @@ static enum status iterate(struct iteration *it, const struct line *moved)
 
 enum status model_equilibrium(const struct model *m, int terms, const double b[6], double *V)
 {
+    return forcing_equilibrium(m, NULL, terms, b, V);
+}
+
+enum status forcing_equilibrium(const struct model *m, const struct forcing *f, int terms,
+                                const double b[6], double *V)
+{
     size_t n_all = model_unknowns(m);
     double *work = mem_doubles(2 * n_all);
     int *keep = mem_zeroed(n_all, sizeof *keep), held[6];
-    struct iteration it = {m, terms, 6 * m->n, keep, V, work, work + n_all};
+    struct iteration it = {m, f, terms, 6 * m->n, keep, V, work, work + n_all};
     struct line moved = m->line;
     enum status s = work && keep ? SW_OK : SW_NOMEM;
 

@@ -1,98 +1,76 @@
 /* Central differences in increment form. */
 #include "phys/march.h"
+#include "num/dense.h"
 #include "num/mem.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 double march_critical_step(const struct model *m)
 {
     return 2 / model_omega_max(m);
 }
 
-/* part := all, or all := part, for the unknowns that the part takes in. */
-static void gather(const struct march_part *p, const double *all, double *part)
+static double dot(size_t n, const double *x, const double *y)
 {
-    int width = part_width(p->part), n = p->A.n / width;
+    double sum = 0;
 
-    for (int k = 0; k < n; k++)
-        for (int c = 0; c < width; c++)
-            part[width * k + c] = all[6 * k + part_first(p->part) + c];
+    for (size_t i = 0; i < n; i++)
+        sum += x[i] * y[i];
+    return sum;
 }
 
-static void scatter(const struct march_part *p, const double *part, double *all)
+/* b, z and S of the dampers with a coefficient above 0. */
+static enum status dampers_new(const struct model *m, const struct march_options *o,
+                               struct inertia *inertia, struct march_dampers *ret)
 {
-    int width = part_width(p->part), n = p->A.n / width;
+    static const double still[6];
+    size_t n = model_unknowns(m), r = 0;
+    double *zero, *minus;
+    enum status s = SW_OK;
 
-    for (int k = 0; k < n; k++)
-        for (int c = 0; c < width; c++)
-            all[6 * k + part_first(p->part) + c] = part[width * k + c];
-}
-
-/* Place among the six prescribed displacements (left v1 v2 v3, right) of held unknown i. */
-static int support_component(const struct march_part *p, int i)
-{
-    int a_side = p->n_held / 2;
-
-    return i / a_side * 3 + part_first(p->part) / 2 + i % a_side;
-}
-
-/* Factor of B (A or M) with unit rows and columns for the held unknowns. */
-static enum status factor_held(const struct march_part *p, const struct band *B,
-                               struct band_factor *ret)
-{
-    struct band copy = *B;
-    enum status s;
-
-    copy.a = mem_copy(B->a, sizeof(double) * (size_t)B->n * (size_t)(B->kd + 1));
-    if (!copy.a)
-        return SW_NOMEM;
-    for (int i = 0; i < p->n_held; i++) {
-        int b = p->held[i];
-
-        for (int j = b - B->kd; j <= b + B->kd; j++)
-            if (j >= 0 && j < B->n)
-                *band_at(&copy, j > b ? j : b, j > b ? b : j) = j == b;
-    }
-    s = band_cholesky(&copy, ret);
-    band_free(&copy);
-    return s;
-}
-
-static enum status part_new(const struct model *m, const struct march_options *o, enum part part,
-                            struct march_part *ret)
-{
-    struct band K = {0};
-    double dt = o->dt;
-    int width = part_width(part);
-    enum status s;
-
-    ret->part = part;
-    for (int i = 0; i < width; i++) /* value unknowns of the first, then of the last node */
-        if (i % 2 == 0) {
-            ret->held[i / 2] = i;
-            ret->held[i / 2 + width / 2] = width * m->n + i;
-        }
-    ret->n_held = width;
-    s = model_mass(m, part, &ret->M);
-    if (s == SW_OK)
-        s = model_stiffness(m, part, &K);
-    if (s == SW_OK)
-        s = band_combine(o->alpha, &ret->M, o->beta, &K, &ret->C);
-    if (s == SW_OK)
-        s = band_combine(1 / (dt * dt), &ret->M, 1 / (2 * dt), &ret->C, &ret->A);
-    if (s == SW_OK)
-        s = factor_held(ret, &ret->A, &ret->factor);
-    band_free(&K);
-    ret->x = mem_doubles((size_t)width * ((size_t)m->n + 1));
-    ret->d = mem_doubles((size_t)width * ((size_t)m->n + 1));
-    if (s == SW_OK && !(ret->x && ret->d))
+    for (int i = 0; i < o->n_dampers; i++)
+        r += o->damper[i].coefficient > 0;
+    *ret = (struct march_dampers){.r = (int)r};
+    if (r == 0)
+        return SW_OK;
+    ret->c = mem_doubles(r);
+    ret->b = mem_doubles(n * r);
+    ret->z = mem_doubles(n * r);
+    ret->S = mem_doubles(r * r);
+    ret->w = mem_doubles(2 * r);
+    zero = model_vector(m);
+    minus = model_vector(m);
+    if (!ret->c || !ret->b || !ret->z || !ret->S || !ret->w || !zero || !minus)
         s = SW_NOMEM;
+    r = 0;
+    for (int i = 0; i < o->n_dampers && s == SW_OK; i++) {
+        double direction[3], *b = ret->b + n * r;
+
+        if (!(o->damper[i].coefficient > 0))
+            continue;
+        damper_direction(&o->damper[i], &m->axes, direction);
+        model_point_load(m, o->damper[i].position, direction, b);
+        for (size_t j = 0; j < n; j++)
+            minus[j] = -b[j];
+        inertia_solve(inertia, minus, zero, still, ret->z + n * r);
+        ret->c[r++] = o->damper[i].coefficient;
+    }
+    for (size_t i = 0; i < r && s == SW_OK; i++)
+        for (size_t j = 0; j < r; j++)
+            ret->S[i + r * j] =
+                dot(n, ret->b + n * i, ret->z + n * j) + (i == j ? 2 * o->dt / ret->c[i] : 0);
+    if (s == SW_OK)
+        s = dense_invert((int)r, ret->S);
+    free(zero);
+    free(minus);
     return s;
 }
 
 enum status march_new(const struct model *m, const struct march_options *o, struct march *ret)
 {
+    double dt = o->dt;
     enum status s;
 
     *ret = (struct march){.model = m, .options = *o, .slack_time = -1};
@@ -101,11 +79,12 @@ enum status march_new(const struct model *m, const struct march_options *o, stru
     ret->D = model_vector(m);
     ret->F = model_vector(m);
     ret->dd = model_vector(m);
-    s = ret->V && ret->D && ret->F && ret->dd ? SW_OK : SW_NOMEM;
+    ret->W = model_vector(m);
+    s = ret->V && ret->D && ret->F && ret->dd && ret->W ? force_new(m, &ret->forces) : SW_NOMEM;
     if (s == SW_OK)
-        s = part_new(m, o, PART_PLANE, &ret->part[0]);
+        s = inertia_new(m, 1 / (dt * dt), 1 / (2 * dt), 1 / dt, o->alpha, o->beta, &ret->inertia);
     if (s == SW_OK)
-        s = part_new(m, o, PART_LATERAL, &ret->part[1]);
+        s = dampers_new(m, o, &ret->inertia, &ret->dampers);
     if (s != SW_OK)
         march_free(ret);
     return s;
@@ -113,18 +92,18 @@ enum status march_new(const struct model *m, const struct march_options *o, stru
 
 void march_free(struct march *m)
 {
-    for (int i = 0; i < 2; i++) {
-        band_free(&m->part[i].M);
-        band_free(&m->part[i].C);
-        band_free(&m->part[i].A);
-        band_factor_free(&m->part[i].factor);
-        free(m->part[i].x);
-        free(m->part[i].d);
-    }
+    inertia_free(&m->inertia);
+    force_free(&m->forces);
+    free(m->dampers.c);
+    free(m->dampers.b);
+    free(m->dampers.z);
+    free(m->dampers.S);
+    free(m->dampers.w);
     free(m->V);
     free(m->D);
     free(m->F);
     free(m->dd);
+    free(m->W);
     *m = (struct march){0};
 }
 
@@ -148,55 +127,75 @@ static void supports(const struct march *m, double t, double u[6], double v[6], 
         }
 }
 
-/*
- * Solve A x = p->x with the held unknowns at given values (by support component, 6).  Keeps the
- * right side of the held rows in p->residual.
- */
-static void solve_held(struct march_part *p, const struct band *A, const struct band_factor *factor,
-                       const double value[6])
+/* F += c b (b^T D)/dt of the dampers. */
+static void add_damper_forces(struct march *m)
 {
-    for (int i = 0; i < p->n_held; i++)
-        p->residual[i] = p->x[p->held[i]];
-    for (int i = 0; i < p->n_held; i++) {
-        double known = value[support_component(p, i)];
-        int b = p->held[i];
+    const struct march_dampers *d = &m->dampers;
+    size_t n = model_unknowns(m->model);
 
-        for (int j = b - A->kd; known != 0 && j <= b + A->kd; j++)
-            if (j >= 0 && j < A->n)
-                p->x[j] -= band_get(A, j, b) * known;
-    }
-    for (int i = 0; i < p->n_held; i++)
-        p->x[p->held[i]] = value[support_component(p, i)];
-    band_solve(factor, p->x);
-}
+    for (size_t i = 0; i < (size_t)d->r; i++) {
+        const double *b = d->b + n * i;
+        double force = d->c[i] * dot(n, b, m->D) / m->options.dt;
 
-/* x = -F - C d/dt, d the part of D. */
-static void right_side(const struct march *m, struct march_part *p)
-{
-    gather(p, m->F, p->x);
-    for (int i = 0; i < p->A.n; i++)
-        p->x[i] = -p->x[i];
-    if (m->options.alpha != 0 || m->options.beta != 0) {
-        gather(p, m->D, p->d);
-        band_multiply_add(&p->C, -1 / m->options.dt, p->d, p->x);
+        for (size_t j = 0; j < n; j++)
+            m->F[j] += force * b[j];
     }
 }
 
+/* dd -= z S^{-1} b^T dd. */
+static void add_damper_inertia(struct march *m)
+{
+    const struct march_dampers *d = &m->dampers;
+    size_t n = model_unknowns(m->model), r = (size_t)d->r;
+
+    for (size_t i = 0; i < r; i++)
+        d->w[i] = dot(n, d->b + n * i, m->dd);
+    for (size_t i = 0; i < r; i++) {
+        d->w[r + i] = 0;
+        for (size_t j = 0; j < r; j++)
+            d->w[r + i] += d->S[i + r * j] * d->w[j];
+    }
+    for (size_t i = 0; i < r; i++)
+        for (size_t j = 0; j < n; j++)
+            m->dd[j] -= d->w[r + i] * d->z[j + n * i];
+}
+
+/* Velocity from the last increment and the last second difference: second order. */
+static const double *lagged_velocity(struct march *m)
+{
+    for (size_t i = 0; i < model_unknowns(m->model); i++)
+        m->W[i] = (m->D[i] + m->dd[i] / 2) / m->options.dt;
+    return m->W;
+}
+
+/* The internal forces have been put into F: those from outside and of the dampers, too. */
+static void add_other_forces(struct march *m)
+{
+    const struct forcing *f = &m->options.forcing;
+
+    if (f->wind.cd > 0)
+        lagged_velocity(m);
+    if (forcing_any(f))
+        forcing_subtract(m->model, f, march_time(m), m->V, m->W, m->F);
+    add_damper_forces(m);
+}
+
 /*
- * Acceleration V'' of a part into m->dd, from M V'' = -F - C V' with D = V' dt and the supports'
+ * Acceleration V'' into m->dd, from M V'' = R - F - C V' with D = V' dt and the supports'
  * accelerations a.
  */
-static enum status first_acceleration(struct march *m, struct march_part *p, const double a[6])
+static enum status first_acceleration(struct march *m, const double a[6])
 {
-    struct band_factor factor;
-    enum status s = factor_held(p, &p->M, &factor);
+    const struct march_options *o = &m->options;
+    struct inertia mass;
+    enum status s = inertia_new(m->model, 1, 0, 1 / o->dt, o->alpha, o->beta, &mass);
 
     if (s != SW_OK)
         return s;
-    right_side(m, p);
-    solve_held(p, &p->M, &factor, a);
-    scatter(p, p->x, m->dd);
-    band_factor_free(&factor);
+    model_force(m->model, o->terms, m->V, m->F, NULL);
+    add_other_forces(m);
+    inertia_solve(&mass, m->F, m->D, a, m->dd);
+    inertia_free(&mass);
     return SW_OK;
 }
 
@@ -212,18 +211,17 @@ enum status march_start(struct march *m, const double *V0)
     m->step = 0;
     for (size_t i = 0; i < model_unknowns(m->model); i++) {
         m->V[i] = V0[i];
-        m->D[i] = 0;
+        m->D[i] = m->dd[i] = 0;
     }
     for (int i = 0; i < 6; i++) {
         m->V[held[i]] = u[i];
         m->D[held[i]] = dt * v[i];
     }
-    model_force(m->model, m->options.terms, m->V, m->F, NULL);
-    s = first_acceleration(m, &m->part[0], a);
-    if (s == SW_OK)
-        s = first_acceleration(m, &m->part[1], a);
-    for (size_t i = 0; i < model_unknowns(m->model); i++)
-        m->D[i] -= dt * dt / 2 * m->dd[i]; /* V(0) - V(-dt) = dt V' - dt^2/2 V'' */
+    s = first_acceleration(m, a);
+    for (size_t i = 0; i < model_unknowns(m->model); i++) {
+        m->dd[i] *= dt * dt;
+        m->D[i] -= m->dd[i] / 2; /* V(0) - V(-dt) = dt V' - dt^2/2 V'' */
+    }
     for (int i = 0; i < 6; i++)
         m->D[held[i]] = u[i] - past[i];
     return s;
@@ -245,20 +243,28 @@ void march_kick(struct march *m, enum kick kind, double size, const double *shap
         to[held[i]] = keep[i];
 }
 
+/* Time and place of the first compression, found by the plain element forces. */
+static void find_slack(struct march *m)
+{
+    struct strain_watch watch;
+
+    model_force(m->model, m->options.terms, m->V, m->W, &watch);
+    m->slack_time = march_time(m);
+    m->slack_theta = model_gauss_theta(m->model, watch.least_point);
+}
+
 /* Internal forces; looks for slack places and at the bound of the stable step. */
 static enum status forces(struct march *m)
 {
-    struct strain_watch watch;
+    struct force_extremes seen;
     double w = m->options.dt * m->omega_max, stretched;
 
-    model_force(m->model, m->options.terms, m->V, m->F, &watch);
-    m->stiffened = watch.most_stiffened;
-    if (watch.least_force < 0 && m->slack_time < 0) {
-        m->slack_time = march_time(m);
-        m->slack_theta = model_gauss_theta(m->model, watch.least_point);
-    }
-    stretched = m->options.terms > 0 ? fmax(0, watch.most_stiffened) : 0;
-    return isfinite(watch.most_stiffened) && w * w * (1 + stretched) <= 4 ? SW_OK : SW_DIVERGED;
+    force_all(&m->forces, m->options.terms, m->V, m->F, &seen);
+    m->stiffened = seen.most_stiffened;
+    if (seen.least_force < 0 && m->slack_time < 0)
+        find_slack(m);
+    stretched = m->options.terms > 0 ? fmax(0, seen.most_stiffened) : 0;
+    return isfinite(seen.most_stiffened) && w * w * (1 + stretched) <= 4 ? SW_OK : SW_DIVERGED;
 }
 
 enum status march_solve(struct march *m)
@@ -273,31 +279,44 @@ enum status march_solve(struct march *m)
     supports(m, (double)(m->step + 1) * m->options.dt, next, NULL, NULL);
     for (int i = 0; i < 6; i++) /* from V itself: round-off does not add up */
         dd[i] = next[i] - m->V[held[i]] - m->D[held[i]];
-    for (int i = 0; i < 2; i++) {
-        right_side(m, &m->part[i]);
-        solve_held(&m->part[i], &m->part[i].A, &m->part[i].factor, dd);
-        scatter(&m->part[i], m->part[i].x, m->dd);
-    }
+    add_other_forces(m);
+    inertia_solve(&m->inertia, m->F, m->D, dd, m->dd);
+    add_damper_inertia(m);
     return SW_OK;
+}
+
+const double *march_velocity(struct march *m)
+{
+    return lagged_velocity(m);
+}
+
+/* The dampers' part of A dd: c/(2 dt) b (b^T dd) in the rows of the supports. */
+static void add_damper_support(const struct march *m, const int held[6], double ret[6])
+{
+    const struct march_dampers *d = &m->dampers;
+    size_t n = model_unknowns(m->model);
+
+    for (size_t i = 0; i < (size_t)d->r; i++) {
+        const double *b = d->b + n * i;
+        double force = d->c[i] / (2 * m->options.dt) * dot(n, b, m->dd);
+
+        for (int j = 0; j < 6; j++)
+            ret[j] += force * b[held[j]];
+    }
 }
 
 void march_support_force(const struct march *m, double ret[6])
 {
     const struct line *s = &m->model->line;
-    double force[6] = {-s->H, -s->V, 0, s->H, s->V - s->W, 0};
+    const double at_rest[6] = {-s->H, -s->V, 0, s->H, s->V - s->W, 0};
+    double force[6];
+    int held[6];
 
-    for (int part = 0; part < 2; part++) {
-        const struct march_part *p = &m->part[part];
-
-        for (int i = 0; i < p->n_held; i++) {
-            double R = -p->residual[i];
-
-            for (int j = p->held[i] - p->A.kd; j <= p->held[i] + p->A.kd; j++)
-                if (j >= 0 && j < p->A.n)
-                    R += band_get(&p->A, p->held[i], j) * p->x[j];
-            force[support_component(p, i)] += R;
-        }
-    }
+    model_prescribed(m->model, held);
+    inertia_support(&m->inertia, m->F, m->D, m->dd, force);
+    add_damper_support(m, held, force);
+    for (int i = 0; i < 6; i++)
+        force[i] += at_rest[i];
     axes_to_space(&m->model->axes, force, ret);
     axes_to_space(&m->model->axes, force + 3, ret + 3);
 }

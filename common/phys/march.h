@@ -1,17 +1,21 @@
 /*
  * Explicit time integration by central differences (Thalheim 4.3; theory section 3, c4).
  *
- *     A (V(t+dt) - 2 V(t) + V(t-dt)) = -F_int(V(t)) - C (V(t) - V(t-dt))/dt
- *     A = M/dt^2 + C/(2 dt),  C = alpha M + beta K
+ *     A (V(t+dt) - 2 V(t) + V(t-dt)) = R(t) - F_int(V(t)) - C (V(t) - V(t-dt))/dt
+ *     A = M/dt^2 + C/(2 dt),  C = alpha M + beta K + dampers
  *
  * for the free unknowns, prescribed ones inserted on the left.  The state is V and the increment
- * D = V(t) - V(t-dt).  A is factored once; the cable's plane and the lateral direction are solved
- * apart.  Vectors have 6 (n + 1) entries (phys/model.h).  No allocation after march_new.
+ * D = V(t) - V(t-dt).  A is factored once, without the dampers: what they add to it has their
+ * number for rank and is put on afterwards (Woodbury).  Vectors have 6 (n + 1) entries
+ * (phys/model.h).  No allocation after march_new.
  */
 #ifndef SEILWERK_PHYS_MARCH_H
 #define SEILWERK_PHYS_MARCH_H
 
-#include "phys/model.h"
+#include "phys/damper.h"
+#include "phys/force.h"
+#include "phys/forcing.h"
+#include "phys/inertia.h"
 #include "phys/motion.h"
 
 struct march_options {
@@ -20,26 +24,33 @@ struct march_options {
     int terms;                   /* 0..3: nonlinear parts F1, F2, F3 taken in */
     const struct motion *motion; /* of the supports; not owned */
     int n_motions;
+    const struct damper *damper; /* not owned */
+    int n_dampers;
+    struct forcing forcing;
 };
 
-/* Matrices and work space of one part (plane or lateral). */
-struct march_part {
-    enum part part;
-    struct band M, C, A;       /* over all nodes */
-    struct band_factor factor; /* of A with prescribed rows and columns replaced by unit ones */
-    int held[4], n_held;       /* prescribed unknowns, numbers within the part */
-    double *x, *d;             /* right side and solution; increment */
-    double residual[4];        /* right side in the prescribed rows, before they are replaced */
+/* Dampers of a march; r of them. */
+struct march_dampers {
+    int r;
+    double *c; /* (r) coefficients [N s/m] */
+    double *b; /* (6 (n + 1), r): b^T V is the displacement at the damper along its direction */
+    double *z; /* (6 (n + 1), r): A^{-1} b, zero at the supports */
+    double *S; /* (r, r): inverse of diag(2 dt/c) + b^T z */
+    double *w; /* (2 r) work space */
 };
 
 struct march {
     const struct model *model; /* not owned */
     struct march_options options;
-    struct march_part part[2];
+    struct inertia inertia;
+    struct force_table forces;
+    struct march_dampers dampers;
     double omega_max;   /* of the unstretched cable [rad/s] */
     long step;          /* steps taken; t = step dt */
-    double *V, *D, *F;  /* state, increment, internal forces */
+    double *V, *D;      /* state and increment */
+    double *F;          /* internal forces less those from outside and with those of the dampers */
     double *dd;         /* V(t+dt) - 2 V(t) + V(t-dt), set by march_solve */
+    double *W;          /* velocity, for march_velocity and the wind */
     double slack_time;  /* first time at which EA gamma + T < 0 somewhere, negative: never */
     double slack_theta; /* and the place */
     double stiffened;   /* last largest 3 EA gamma/(EA a^2 + T) */
@@ -66,6 +77,9 @@ void march_kick(struct march *m, enum kick kind, double size, const double *shap
 /* Solve for dd at the present time.  SW_DIVERGED where the step is longer than the stretched cable
  * allows, or a number is no longer finite. */
 enum status march_solve(struct march *m);
+
+/* After march_solve: velocity (V(t+dt) - V(t-dt))/(2 dt) over all nodes; owned by m. */
+const double *march_velocity(struct march *m);
 
 /* After march_solve: force of the left, then of the right support on the cable [N], static part
  * included (three axes each). */

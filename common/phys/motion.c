@@ -1,4 +1,4 @@
-/* Harmonic motions of the supports. */
+/* Motions of the supports. */
 #include "phys/motion.h"
 
 #include <math.h>
@@ -17,25 +17,37 @@ static void ramp_at(double ramp, double t, double r[3])
     }
 }
 
-static void add(const struct motion *m, double t, double *u, double *v, double *a)
+/* The motion without its ramp: displacement, velocity, acceleration. */
+static void unramped(const struct motion *m, double t, double u[3], double v[3], double a[3])
 {
-    double r[3];
-
-    ramp_at(m->ramp, t, r);
+    if (m->record) {
+        series_at(m->record, t, u, v, a);
+        return;
+    }
     for (int i = 0; i < 3; i++) {
-        double arg = m->omega * t + m->phase[i], c0, c1;
+        double arg = m->omega * t + m->phase[i];
 
+        u[i] = v[i] = a[i] = 0;
         if (m->amplitude[i] == 0)
             continue;
-        c0 = m->amplitude[i] * cos(arg);
-        u[i] += r[0] * c0;
-        if (!v && !a)
-            continue;
-        c1 = -m->amplitude[i] * m->omega * sin(arg);
+        u[i] = m->amplitude[i] * cos(arg);
+        v[i] = -m->amplitude[i] * m->omega * sin(arg);
+        a[i] = -m->omega * m->omega * u[i];
+    }
+}
+
+static void add(const struct motion *m, double t, double *u, double *v, double *a)
+{
+    double r[3], u0[3], v0[3], a0[3];
+
+    ramp_at(m->ramp, t, r);
+    unramped(m, t, u0, v0, a0);
+    for (int i = 0; i < 3; i++) {
+        u[i] += r[0] * u0[i];
         if (v)
-            v[i] += r[1] * c0 + r[0] * c1;
+            v[i] += r[1] * u0[i] + r[0] * v0[i];
         if (a)
-            a[i] += r[2] * c0 + 2 * r[1] * c1 - r[0] * m->omega * m->omega * c0;
+            a[i] += r[2] * u0[i] + 2 * r[1] * v0[i] + r[0] * a0[i];
     }
 }
 

@@ -1,11 +1,13 @@
 /*
- * Harmonic motions of the supports, switched on smoothly.
+ * Harmonic and recorded motions of the supports, switched on smoothly.
  *
  * u_i(t) = amplitude_i cos(omega t + phase_i) times 10 s^3 - 15 s^4 + 6 s^5, s = min(t/ramp, 1);
  * without a ramp the factor is 1, also at t < 0.  Several motions add.
  */
 #ifndef SEILWERK_PHYS_MOTION_H
 #define SEILWERK_PHYS_MOTION_H
+
+#include "phys/series.h"
 
 enum support { SUPPORT_RIGHT, SUPPORT_LEFT };
 
@@ -15,6 +17,8 @@ struct motion {
     double omega;        /* [rad/s] */
     double phase[3];     /* [rad] */
     double ramp;         /* [s], 0: none */
+    const struct series
+        *record; /* in place of amplitude, omega and phase [m]; or NULL; not owned */
 };
 
 /* Sum of n motions at t: displacement u [m], velocity v [m/s], acceleration a [m/s2] of the left,

@@ -98,7 +98,7 @@ static void energy_is_constant(void **state)
     model_free(&m);
 }
 
-static const struct motion shake = {SUPPORT_RIGHT, {0.05, 0.01, 0.02}, 9.124, {0.4, 0, 0}, 0};
+static const struct motion shake = {SUPPORT_RIGHT, {0.05, 0.01, 0.02}, 9.124, {0.4, 0, 0}, 0, NULL};
 
 /* Error at 1.5 s against a run with 1/16 of the step: falls by 4 when the step is halved. */
 static void order_two(void **state)
@@ -109,7 +109,12 @@ static void order_two(void **state)
     (void)state;
 
     for (int k = 0; k < 4; k++) {
-        struct march_options o = {0.1, 1e-4, 1.5 / (3000 * divisor[k]), 3, &shake, 1};
+        struct march_options o = {.alpha = 0.1,
+                                  .beta = 1e-4,
+                                  .dt = 1.5 / (3000 * divisor[k]),
+                                  .terms = 3,
+                                  .motion = &shake,
+                                  .n_motions = 1};
         struct march a;
         double V[ALL] = {0};
 
@@ -144,7 +149,8 @@ static void cut(const struct model *m, const struct band *A, struct partition *r
 static void equation_417(void **state)
 {
     struct model m = new_model(&seil2, LAW_HOOKE, N);
-    struct march_options o = {0.2, 3e-4, 5e-4, 3, &shake, 1};
+    struct march_options o = {
+        .alpha = 0.2, .beta = 3e-4, .dt = 5e-4, .terms = 3, .motion = &shake, .n_motions = 1};
     struct band M, K, C, A;
     struct partition Mp, Cp, Ap;
     struct band_factor F;
@@ -213,7 +219,12 @@ static void equation_417(void **state)
 static void rayleigh_decay(void **state)
 {
     struct model m = new_model(&seil1, LAW_HOOKE, N);
-    struct march_options o = {0.08, 6e-4, 0.5 * march_critical_step(&m), 0, NULL, 0};
+    struct march_options o = {.alpha = 0.08,
+                              .beta = 6e-4,
+                              .dt = 0.5 * march_critical_step(&m),
+                              .terms = 0,
+                              .motion = NULL,
+                              .n_motions = 0};
     struct modes p;
     struct march a;
     double V[ALL], rate, omega, first, period;
@@ -239,9 +250,14 @@ static void rayleigh_decay(void **state)
 static void support_forces(void **state)
 {
     const struct cable c = {112, 2, 1e6, 9.81, 100, 30};
-    struct motion still = {SUPPORT_RIGHT, {0.5, -0.3, 0.8}, 1e-9, {0, 0, 0}, 0};
+    struct motion still = {SUPPORT_RIGHT, {0.5, -0.3, 0.8}, 1e-9, {0, 0, 0}, 0, NULL};
     struct model m = new_model(&c, LAW_HOOKE, 40);
-    struct march_options o = {0.1, 1e-4, 0.5 * march_critical_step(&m), 3, &still, 1};
+    struct march_options o = {.alpha = 0.1,
+                              .beta = 1e-4,
+                              .dt = 0.5 * march_critical_step(&m),
+                              .terms = 3,
+                              .motion = &still,
+                              .n_motions = 1};
     double b[6], V[6 * 41], f[6], one[6 * 41], sum[6 * 41] = {0};
     struct cable moved = c;
     struct line exact;
@@ -346,8 +362,13 @@ static void critical_step(void **state)
 static void stretched_beyond_the_bound(void **state)
 {
     struct model m = new_model(&seil1, LAW_HOOKE, N);
-    struct motion pull = {SUPPORT_RIGHT, {10, 0, 0}, 1, {PI / 2, 0, 0}, 0};
-    struct march_options o = {0, 0, 0.9 * march_critical_step(&m), 3, &pull, 1};
+    struct motion pull = {SUPPORT_RIGHT, {10, 0, 0}, 1, {PI / 2, 0, 0}, 0, NULL};
+    struct march_options o = {.alpha = 0,
+                              .beta = 0,
+                              .dt = 0.9 * march_critical_step(&m),
+                              .terms = 3,
+                              .motion = &pull,
+                              .n_motions = 1};
     enum status s = SW_OK;
     double V[ALL] = {0};
     struct march a;
@@ -370,8 +391,13 @@ static void stretched_beyond_the_bound(void **state)
 static void slack_is_noticed(void **state)
 {
     struct model m = new_model(&seil1, LAW_HOOKE, N);
-    struct motion push = {SUPPORT_RIGHT, {0.5, 0, 0}, 3, {PI / 2, 0, 0}, 0};
-    struct march_options o = {0, 0, 0.9 * march_critical_step(&m), 3, &push, 1};
+    struct motion push = {SUPPORT_RIGHT, {0.5, 0, 0}, 3, {PI / 2, 0, 0}, 0, NULL};
+    struct march_options o = {.alpha = 0,
+                              .beta = 0,
+                              .dt = 0.9 * march_critical_step(&m),
+                              .terms = 3,
+                              .motion = &push,
+                              .n_motions = 1};
     double V[ALL] = {0};
     struct march a;
     (void)state;
@@ -401,13 +427,18 @@ static double largest(struct march *a, int unknown, double from, double to)
 
 static void pont_de_ben_ahin(void **state)
 {
-    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 7.86, {0, 0, 0}, 0};
+    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 7.86, {0, 0, 0}, 0, NULL};
     const double b[6] = {0, 0, 0, 0.05, 0, 0};
     (void)state;
 
     for (int law = LAW_HOOKE; law <= LAW_THESIS; law++) {
         struct model m = new_model(&pont, (enum law)law, N);
-        struct march_options o = {5.379e-3, 1.676e-4, 0.9 * march_critical_step(&m), 3, &deck, 1};
+        struct march_options o = {.alpha = 5.379e-3,
+                                  .beta = 1.676e-4,
+                                  .dt = 0.9 * march_critical_step(&m),
+                                  .terms = 3,
+                                  .motion = &deck,
+                                  .n_motions = 1};
         double V[ALL], early, late;
         struct march a;
 
@@ -428,9 +459,14 @@ static void pont_de_ben_ahin(void **state)
 /* Point A: v3 limit cycle of 1.20 m from a small disturbance of the first lateral mode. */
 static void seil2_point_a(void **state)
 {
-    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0};
+    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0, NULL};
     struct model m = new_model(&seil2, LAW_THESIS, N);
-    struct march_options o = {1.0951e-1, 3.5061e-3, 0.9 * march_critical_step(&m), 3, &deck, 1};
+    struct march_options o = {.alpha = 1.0951e-1,
+                              .beta = 3.5061e-3,
+                              .dt = 0.9 * march_critical_step(&m),
+                              .terms = 3,
+                              .motion = &deck,
+                              .n_motions = 1};
     const double b[6] = {0, 0, 0, 0.05, 0, 0};
     double V[ALL], shape[ALL];
     struct modes p;
