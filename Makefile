@@ -32,13 +32,16 @@ MAN = $(wildcard man/*.[1-9])
 
 # Packages come before anything is compiled, if the goal is one that installs them.
 FIRST = $(if $(filter check check-deep,$(MAKECMDGOALS)),deps-check) \
-  $(if $(filter demo,$(MAKECMDGOALS)),deps-demo) $(if $(filter bench,$(MAKECMDGOALS)),deps-build)
+  $(if $(filter demo experiment%,$(MAKECMDGOALS)),deps-demo) \
+  $(if $(filter bench,$(MAKECMDGOALS)),deps-build)
 
 all: $(TOOLS:%=$(BUILD)/bin/%)
 
 help:
 	@echo 'all          build the tools into $(BUILD)/bin'
 	@echo 'demo         run the pipeline on a real stay cable; tables, CSV and PNG in $(BUILD)/demo'
+	@echo 'experiments  studies of modes and meshes in $(BUILD)/experiments; one: experiment-NAME, of'
+	@echo '             $(STUDIES)'
 	@echo 'check        all tests;  check-deep: sanitizers, valgrind, long fuzzing, 1e8 numbers'
 	@echo 'bench        rates beside their targets'
 	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean, dist'
@@ -113,6 +116,14 @@ deps-optional:
 demo: all
 	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 scripts/demo '$(BUILD)/demo'
 
+# Studies: scripts/experiments/NAME/rules.mk tells what one is made of.  A study is run again only
+# when its case, a script or one of its tools has changed; its table of numbers is made last.
+STUDIES = $(patsubst scripts/experiments/%/rules.mk,%,$(wildcard scripts/experiments/*/rules.mk))
+STUDY = scripts/experiments/study.sh scripts/plot/setup.sh $(BUILD)/bin/catenary $(BUILD)/bin/modal
+RUN_STUDY = @PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 $< $(@D)
+experiments:
+include $(STUDIES:%=scripts/experiments/%/rules.mk)
+
 TEST_ENV = SEILWERK_BUILD='$(abspath $(BUILD))' PATH='$(abspath $(BUILD))/bin':$$PATH \
   OPENBLAS_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP CC='$(CC)'
 SUITES = $(UNIT) $(sort $(wildcard tests/cli/*.sh tests/cross/*.sh tests/fault/*.sh))
@@ -160,7 +171,7 @@ dist:
 	@mkdir -p $(BUILD)
 	git archive --prefix=seilwerk-$(VERSION)/ HEAD | gzip -n9 >$(BUILD)/seilwerk-$(VERSION).tar.gz
 
-.PHONY: always all help deps deps-build deps-check deps-demo deps-optional demo test-programs check \
-  check-deep check-sanitized fuzz bench install uninstall clean dist
+.PHONY: always all help deps deps-build deps-check deps-demo deps-optional demo experiments \
+  test-programs check check-deep check-sanitized fuzz bench install uninstall clean dist
 .SECONDARY:
 .DELETE_ON_ERROR:
