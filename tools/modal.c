@@ -38,7 +38,7 @@ static const struct opt options[] = {
     {"shapes", 0, OPT_TEXT, &args.shapes, "LIST", "the shapes of these modes instead, e.g. 1,2,5",
      0, 0},
     {"damper-sweep", 0, OPT_TEXT, &args.sweep, "FROM,TO,N",
-     "damping over N coefficients of the damper instead", 0, 0},
+     "damping over N coefficients of the damper instead (5 modes, or --modes)", 0, 0},
     OPT_COMMON(&args.common),
 };
 
@@ -56,12 +56,12 @@ static int printed; /* modes of the result; the damped problem takes in more */
 /* Whole numbers with commas between them, in [1, max]; returns how many, at most room. */
 static int read_list(const char *text, long max, int room, int *ret)
 {
-    char copy[400], *rest = NULL;
+    char copy[400], *rest = copy, *word;
     int n = 0;
 
     if (snprintf(copy, sizeof copy, "%s", text) >= (int)sizeof copy)
         die(SW_USAGE, "option --shapes: the list is too long");
-    for (char *word = strtok_r(copy, ",", &rest); word; word = strtok_r(NULL, ",", &rest)) {
+    while ((word = strsep(&rest, ","))) {
         long value;
         const char *reason = integer_read(word, 1, max, &value);
 
@@ -70,10 +70,11 @@ static int read_list(const char *text, long max, int room, int *ret)
                 max);
         if (n == room)
             die(SW_USAGE, "option --shapes: more than %d modes", room);
+        for (int i = 0; i < n; i++)
+            if (ret[i] == value)
+                die(SW_USAGE, "option --shapes: mode %ld stands in the list twice", value);
         ret[n++] = (int)value;
     }
-    if (n == 0)
-        die(SW_USAGE, "option --shapes: a list of modes is expected, e.g. 1,2,5");
     return n;
 }
 
@@ -91,12 +92,17 @@ static enum solver solver(void)
 /* The k lowest modes. */
 static void find_modes(int k)
 {
-    enum status s = modes_lowest(&model, k, solver(), &modes);
-    int most = modes_lanczos_most(c.elements);
+    enum solver by = solver();
+    enum status s = modes_lowest(&model, k, by, &modes);
+    int most = modes_lanczos_most(c.elements) > 0 ? modes_lanczos_most(c.elements) : 0;
 
-    if (s == SW_ADMISSIBLE && c.elements <= MODES_MAX_ELEMENTS)
-        die(SW_USAGE, "option --solver lanczos finds up to %d modes of this mesh; give --modes",
+    if (s == SW_ADMISSIBLE && by == SOLVER_LANCZOS)
+        die(SW_USAGE,
+            "option --solver lanczos: %d modes are wanted; it finds up to %d of this mesh", k,
             most);
+    if (s == SW_ADMISSIBLE && by == SOLVER_DENSE)
+        die(SW_USAGE, "option --solver dense takes up to %d elements; the case has %d",
+            MODES_MAX_ELEMENTS, c.elements);
     if (s == SW_ADMISSIBLE)
         die(SW_USAGE,
             "all modes are found at once for up to %d elements: give --modes, for %d elements up "
@@ -271,19 +277,19 @@ static void print_swept(int mode, double coefficient, int best, struct out *o)
     fprintf(o->f, ",%d\n", best);
 }
 
-/* The best coefficient for a mode, number at of the sweep being the best of its own; a mode that
- * the damper does not touch has none. */
+/* The best coefficient for a mode, number at of the sweep being the best of its own: a row if it
+ * lies inside of the sweep. */
 static void print_best(const struct sweep *w, int mode, int at, struct out *o)
 {
     struct damper d = c.damper[0];
-    enum status s = SW_OK;
+    enum status s;
 
-    d.coefficient = coefficient_at(w, at);
-    if (at == 0 || at == w->n - 1)
+    if (at == 0 || at == w->n - 1) {
         warn("mode %d: the best coefficient lies beyond those of the sweep", mode + 1);
-    else
-        s = damper_best(&damping, c.alpha, c.beta, mode, coefficient_at(w, at - 1),
-                        coefficient_at(w, at + 1), &d);
+        return;
+    }
+    s = damper_best(&damping, c.alpha, c.beta, mode, coefficient_at(w, at - 1),
+                    coefficient_at(w, at + 1), &d);
     if (s != SW_OK)
         die(s, "complex modes: %s", status_text(s));
     solve_damped(&d);

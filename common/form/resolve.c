@@ -167,7 +167,7 @@ static enum status resolve_damper(const struct reading *r, const char *section,
     if (isnan(d->position))
         return keys_fail(r, section, "position", "is missing");
     if (!(d->position > 0 && d->position < 1))
-        return keys_fail(r, section, "position", "must lie between the supports, 0 to 1");
+        return keys_fail(r, section, "position", "must lie between the supports, above 0 and below 1");
     if (isnan(d->direction[0]))
         return keys_fail(r, section, "direction", "is missing");
     if (d->direction[0] == 0 && d->direction[1] == 0 && d->direction[2] == 0)

@@ -382,6 +382,9 @@ enum status damper_solve(struct damper_basis *b, double alpha, double beta, cons
     }
     if (s == SW_OK)
         assign(e, count, b);
+    for (int k = 0; k < b->modes; k++) /* no sign of what is round-off */
+        if (fabs(b->decay[k]) < 1e-12 * hypot(b->decay[k], b->swing[k]))
+            b->decay[k] = 0;
     free(A);
     free(x);
     free(re);

@@ -57,7 +57,7 @@ void shape_character(const struct model *m, const double *V, struct character *r
         mirror += element_product(mass, v, image);
         axial += axial_energy(m, k, v);
     }
-    ret->symmetry = mirror / all;
+    ret->symmetry = fmax(-1, fmin(1, mirror / all));
     ret->axial = axial / all;
     ret->kind = ret->axial > 0.5     ? KIND_AXIAL
                 : ret->symmetry >= 0 ? KIND_SYMMETRIC
