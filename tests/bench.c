@@ -121,7 +121,7 @@ static double march_rate(int n)
     o.dt = 0.9 * march_critical_step(&m);
     expect(march_new(&m, &o, &a));
     expect(model_equilibrium(&m, 3, b, V));
-    expect(march_start(&a, V));
+    expect(march_start(&a, V, NULL));
     t = now();
     for (long i = 0; i < steps; i++) {
         expect(march_solve(&a));
