@@ -75,6 +75,10 @@ static enum status resolve_length(const struct reading *r, struct cable_case *c)
     if (s == SW_INFEASIBLE) {
         if (isnan(least))
             snprintf(text, sizeof text, "only one cable, the tauter one, has it");
+        else if (isinf(least))
+            snprintf(text, sizeof text,
+                     "no length gives %.9g; the cable would be stretched a thousandfold",
+                     known.value);
         else
             snprintf(text, sizeof text, "no length gives %.9g; the least possible is %.9g",
                      known.value, least);
