@@ -159,8 +159,7 @@ static double next_place(const struct search *f, double s, double *step)
  */
 static int find_bracket(struct search *f, double strain, struct bracket *ret)
 {
-    int weightless =
-        f->c->g == 0 && f->load->wind[0] == 0 && f->load->wind[1] == 0 && f->load->wind[2] == 0;
+    int weightless = f->c->g == 0 && load_is_calm(f->load);
     int crossings = 0, wanted = f->known->slack ? 2 : 1;
     double s[3] = {0, 0, -strain}, v[3] = {NAN, NAN, excess(-strain, f)}, step = strain / 2;
 
