@@ -540,9 +540,20 @@ static void given_refusals(void **state)
     bad(KNOWN "[cable]\nsag = 0\n", "test:7: sag: 0 is outside of 1e-09 to 1e+09");
     refuse_with(KNOWN "[cable]\ntension_left = 10\n", NULL, SW_INFEASIBLE,
                 "test:7: tension_left: no length gives 10; the least possible is 148.153855");
-    refuse_with(KNOWN "[cable]\nmidspan_tension = 1e18\n", NULL, SW_INFEASIBLE,
-                "test:7: midspan_tension: no length gives 1e+18; the cable would be stretched a "
-                "thousandfold");
+    refuse_with(
+        KNOWN "[cable]\nmidspan_tension = 1e18\n", NULL, SW_INFEASIBLE,
+        "test:7: midspan_tension: no length gives 1e+18; the cable would be stretched too far");
+}
+
+/* A length that no case may have is none. */
+static void too_short(void **state)
+{
+    (void)state;
+    refuse_with(
+        "[cable]\nmass_per_length = 1\naxial_stiffness = 1\ntension_left = 500\n[supports]\n"
+        "span = 1e-6\n",
+        NULL, SW_INFEASIBLE,
+        "test:4: tension_left: no length gives 500; the cable would be stretched too far");
 }
 
 /* Loads: the cable as given stays as it is, the one that hangs has them. */

@@ -138,9 +138,14 @@ static void headers(void **state)
         {"\n\r\n", "test: is empty; a header line is expected"},
         {"span;drop\n1;2\n",
          "test:1: columns are separated by ';'; expected ',' (and '.' in numbers)"},
+        {"name,colour\n",
+         "test:1: no column is a key of a cable; a header line is expected, such as "
+         "span,unstressed_length,..."},
+        {"110.5,110.2\n", "test:1: no column is a key of a cable; a header line is expected, such "
+                          "as span,unstressed_length,..."},
         {"span,drop,span\n", "test:1: columns 1 and 3 are both 'span'"},
         {"span,supports.span\n", "test:1: columns 1 and 2 are both 'supports.span'"},
-        {"\nname,name\n", "test:2: columns 1 and 2 are both 'name'"},
+        {"\nname,name,span\n", "test:2: columns 1 and 2 are both 'name'"},
         {"span,\"x\"y\n", "test:1: a quote is wrong: a cell is either quoted as a whole, with \"\" "
                           "for a quote inside, or not at all, and ends on its line"},
     };
@@ -154,9 +159,9 @@ static void headers(void **state)
     assert_int_equal(begin_with(&f, HEAD, "time.end=1"), SW_USAGE);
     assert_string_equal(why.text, "--set time.end: belongs to no section of the model");
     assert_int_equal(begin_with(&f, HEAD, "cable.area=x"), SW_USAGE);
-    begin(&f, "name,colour,omega\n", NULL); /* no keys of the model: copied */
-    for (int i = 0; i < 3; i++)
-        assert_null(f.t.key[i]);
+    begin(&f, "name,colour,omega,span\n", NULL); /* no keys of the model: copied */
+    for (int i = 0; i < 4; i++)
+        assert_int_equal(f.t.key[i] != NULL, i == 3);
     no_more(&f);
 }
 
