@@ -387,4 +387,21 @@ else
     ok $? 'table: in constant memory'
 fi
 
+# Stopped while it waits for a row: no unfinished file, and the end that the signal asks for.
+mkfifo slow
+catenary --table -o stopped.csv slow 2>err &
+exec 3>slow
+head -n 2000 long.csv >&3
+tries=0
+while [ ! -s stopped.csv.part ] && [ $tries -lt 500 ]; do
+    sleep 0.02
+    tries=$((tries + 1))
+done
+kill -s TERM $!
+wait $! 2>wait.err
+status=$?
+exec 3>&-
+[ $tries -lt 500 ] && [ $status -eq 143 ] && [ ! -e stopped.csv ] && [ ! -e stopped.csv.part ]
+ok $? 'table: stopped by SIGTERM, nothing is left'
+
 finish
