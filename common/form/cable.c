@@ -19,7 +19,7 @@
 #define IN_DISTURBANCE(member) offsetof(struct disturbance, member)
 
 static const struct key keys[] = {
-    {"cable", "unstressed_length", NUMBERS, AT(bare.L0), 1, 1, 1e-6, BIG, NULL, NULL},
+    {"cable", "unstressed_length", NUMBERS, AT(bare.L0), 1, 1, CASE_SHORTEST, BIG, NULL, NULL},
     {"cable", "mass_per_length", NUMBERS, AT(bare.mu), 1, 1, 1e-9, BIG, NULL, NULL},
     {"cable", "youngs_modulus", NUMBERS, AT(youngs_modulus), 1, 1, 1e-3, 1e18, NULL, NULL},
     {"cable", "area", NUMBERS, AT(area), 1, 1, 1e-15, BIG, NULL, NULL},

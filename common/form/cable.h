@@ -12,8 +12,9 @@
 #include "sys/opt.h"
 #include "sys/out.h"
 
-#define CASE_LARGEST 1e9 /* of lengths, times and most other numbers of a case */
-#define MAX_PROBES 99    /* more do not fit on a line */
+#define CASE_LARGEST 1e9   /* of lengths, times and most other numbers of a case */
+#define CASE_SHORTEST 1e-6 /* unstressed length [m] */
+#define MAX_PROBES 99      /* more do not fit on a line */
 
 enum time_start { START_STATIC, START_REST, START_MODE, START_STATE };
 

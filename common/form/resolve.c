@@ -61,11 +61,28 @@ static const char *take_known(const struct reading *r, struct cable_case *c, str
     return key;
 }
 
+/* Why no length, or none that a case may have, gives what is known. */
+static void tell_infeasible(const struct reading *r, const char *key, double value, double least)
+{
+    char text[200];
+
+    if (isnan(least))
+        snprintf(text, sizeof text, "only one cable, the tauter one, has it");
+    else if (isinf(least))
+        snprintf(text, sizeof text, "no length gives %.9g; the cable would be stretched too far",
+                 value);
+    else if (least < value)
+        snprintf(text, sizeof text, "no length gives %.9g", value);
+    else
+        snprintf(text, sizeof text, "no length gives %.9g; the least possible is %.9g", value,
+                 least);
+    keys_fail(r, "cable", key, text);
+}
+
 /* The unstressed length from what is known of the cable. */
 static enum status resolve_length(const struct reading *r, struct cable_case *c)
 {
     struct known known;
-    char text[200];
     double least = NAN;
     enum status s;
     const char *key = take_known(r, c, &known, &s);
@@ -73,13 +90,12 @@ static enum status resolve_length(const struct reading *r, struct cable_case *c)
     if (s != SW_OK || !key)
         return s;
     s = find_length(&c->bare, &c->load, &known, &c->bare.L0, &least);
+    if (s == SW_OK && c->bare.L0 < CASE_SHORTEST) {
+        s = SW_INFEASIBLE;
+        least = INFINITY;
+    }
     if (s == SW_INFEASIBLE) {
-        if (isnan(least))
-            snprintf(text, sizeof text, "only one cable, the tauter one, has it");
-        else
-            snprintf(text, sizeof text, "no length gives %.9g; the least possible is %.9g",
-                     known.value, least);
-        keys_fail(r, "cable", key, text);
+        tell_infeasible(r, key, known.value, least);
         return s;
     }
     if (s != SW_OK)
