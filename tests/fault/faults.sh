@@ -170,8 +170,9 @@ for signal in INT TERM; do
     status=$?
     [ $status -eq "$(case $signal in INT) echo 130 ;; TERM) echo 143 ;; esac)" ]
     ok $? "SIG$signal ends diffverf by that signal"
-    [ -z "$(ls result)" ]
-    ok $? 'and leaves nothing behind'
+    [ "$(ls result)" = 'out.csv.part
+out.csv.state' ] && [ "$(tail -c 1 result/out.csv.part | od -An -c | tr -d ' ')" = '\n' ]
+    ok $? 'and leaves complete rows and a state'
     env --default-signal=INT diffverf --set time.end=1e5 stay.ini >rows 2>err &
     pid=$!
     wait_for rows
