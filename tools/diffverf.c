@@ -1,13 +1,11 @@
 /* diffverf: nonlinear vibration of one cable under moving supports, by central differences. */
 #include "form/modeldir.h"
+#include "form/run.h"
 #include "form/start.h"
-#include "form/state.h"
-#include "sys/npy.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define MAX_STEPS 1e15 /* exact in a double, and longer than anyone waits */
 
@@ -44,9 +42,7 @@ static struct modes modes;
 static struct march march;
 static struct energy energy;
 static double *shape, *speed; /* work space over all nodes */
-static struct out result, field;
-static char *state; /* path of the state, or NULL */
-static struct progress_mark mark;
+static struct run files;
 
 /* The time grid: rows of output, steps between them, rows between two fields. */
 struct grid {
@@ -267,21 +263,7 @@ static void print_row(double time, struct out *o)
         to += sizeof balance / sizeof *balance;
     }
     out_row(o, row, (int)(to - row));
-    mark.rows++;
-}
-
-/* One column of --field: v1, v2, v3 of each node. */
-static void print_field(void)
-{
-    for (int k = 0; k <= model.n; k++) {
-        const double *node = march.V + 6 * (size_t)k;
-        double v[3];
-
-        axes_to_space(&model.axes, (double[3]){node[0], node[2], node[4]}, v);
-        fwrite(v, sizeof *v, 3, field.f);
-    }
-    out_failed(&field);
-    mark.fields++;
+    files.mark.rows++;
 }
 
 static void report_slack(void)
@@ -309,52 +291,16 @@ __attribute__((noreturn)) static void report_divergence(void)
         c.terms < 3 ? " (terms = 1 and 2 lack the part that bounds them)" : "");
 }
 
-/* What, beside the case, makes the columns of the result: a state belongs to it. */
-static const char *columns(void)
-{
-    return args.energy ? args.field ? "energy field" : "energy" : args.field ? "field" : "";
-}
-
-/* The state as it is before the next step, and the bytes of the result that belong to it. */
-static void save_state(void)
-{
-    struct why why;
-
-    mark.bytes = out_bytes(&result);
-    if (args.field)
-        out_bytes(&field);
-    must(state_write(state, &c, columns(), &march, &energy, &mark, &why), &why);
-}
-
-static void save_sometimes(void)
-{
-    static double last = -1;
-    struct timespec t;
-    double now;
-
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    now = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-    if (last >= 0 && now - last < (double)args.checkpoint)
-        return;
-    if (last >= 0)
-        save_state();
-    last = now;
-}
-
-static int writing_failed(void)
-{
-    return out_failed(&result) || (args.field && out_failed(&field));
-}
-
 static void run(const struct grid *grid)
 {
     long steps = (grid->rows - 1) * grid->substeps;
+    struct why why;
 
-    for (long k = march.step; k <= steps && !writing_failed(); k = march.step) {
+    for (long k = march.step; k <= steps && !run_failed(&files); k = march.step) {
         int row = k % grid->substeps == 0;
 
-        if (row && state)
-            save_sometimes();
+        if (row)
+            must(run_checkpoint(&files, &why), &why);
         if (signals_pending())
             return;
         disturb(k, grid->dt);
@@ -363,11 +309,11 @@ static void run(const struct grid *grid)
         if (args.energy)
             energy_step(&energy, &march, shape);
         if (row) {
-            print_row((double)(k / grid->substeps) * c.time.output_every, &result);
+            print_row((double)(k / grid->substeps) * c.time.output_every, &files.rows);
             progress((double)k / (double)(steps > 0 ? steps : 1), "diffverf");
         }
         if (row && args.field && k / grid->substeps % grid->field_rows == 0)
-            print_field();
+            run_field(&files);
         march_advance(&march);
     }
     progress_end();
@@ -377,67 +323,36 @@ static void run(const struct grid *grid)
     report_slack();
 }
 
-/* Open the result and the field, new or behind what the state says. */
-static void open_results(const struct grid *grid)
-{
-    const char *path = args.common.out;
-    size_t fields = (size_t)((grid->rows - 1) / grid->field_rows + 1);
-    size_t height = 3 * ((size_t)model.n + 1);
-    long field_bytes = NPY_HEADER_BYTES + mark.fields * (long)(height * sizeof(double));
-    struct why why;
-
-    if (args.resume && (mark.bytes >= 0) != (path && strcmp(path, "-") != 0))
-        die(SW_USAGE, "%s: the run that was stopped wrote %s: go on in the same way", state,
-            mark.bytes >= 0 ? "a file, by -o" : "on standard output");
-    if (args.resume && mark.bytes >= 0)
-        must(out_resume(&result, path, mark.bytes, &why), &why);
-    else
-        must(out_open(&result, path, &why), &why);
-    if (!args.state && result.slot < 0) { /* -o is a device: nothing to go on from */
-        free(state);
-        state = NULL;
-    }
-    if (!args.resume)
-        print_header(&result);
-    if (!args.field)
-        return;
-    if (args.resume)
-        must(out_resume(&field, args.field, field_bytes, &why), &why);
-    else
-        must(out_open(&field, args.field, &why), &why);
-    if (args.resume)
-        rewind(field.f); /* time.end, and so the number of columns, may have changed */
-    npy_begin(&field, 2, height, fields);
-    if (args.resume)
-        fseek(field.f, field_bytes, SEEK_SET);
-}
-
 /* The end by a signal: a state and complete rows, if there is a state. */
 __attribute__((noreturn)) static void end_by_signal(void)
 {
     struct why why;
 
     progress_end();
-    if (state) {
-        save_state();
-        must(out_keep(&result, &why), &why);
-        if (args.field)
-            must(out_keep(&field, &why), &why);
-        warn("stopped at t = %.9g s; --resume goes on from %s", march_time(&march), state);
-    }
-    signals_end(&result);
+    must(run_stop(&files, &why), &why);
+    if (files.state)
+        warn("stopped at t = %.9g s; --resume goes on from %s", march_time(&march), files.state);
+    signals_end(&files.rows);
 }
 
-static void name_state(void)
+/* Files of the run; the march is put where the state says. */
+static void open_files(const struct grid *grid)
 {
     struct why why;
 
-    must(state_path(args.state, args.common.out, &state, &why), &why);
-    if (args.state && !state)
-        die(SW_USAGE, "option --state: a file is expected");
-    if (args.resume && !state)
-        die(SW_USAGE, "option --resume needs the state: give --state, or -o FILE as in the run "
-                      "that was stopped");
+    files = (struct run){.c = &c,
+                         .march = &march,
+                         .energy = &energy,
+                         .rows_path = args.common.out,
+                         .field_path = args.field,
+                         .state_given = args.state,
+                         .columns = args.energy ? "energy" : "",
+                         .resume = args.resume,
+                         .checkpoint = args.checkpoint};
+    must(run_prepare(&files, &why), &why);
+    must(run_open(&files, (size_t)((grid->rows - 1) / grid->field_rows + 1), &why), &why);
+    if (!args.resume)
+        print_header(&files.rows);
 }
 
 int main(int argc, char **argv)
@@ -451,23 +366,13 @@ int main(int argc, char **argv)
     if (args.energy && c.terms == 1)
         die(SW_USAGE, "option --energy: terms = 1 has no potential; take 0, 2 or 3");
     must(case_records(&c, argv[argc - 1], &why), &why);
-    name_state();
     grid = set_up(argv[argc - 1]);
-    if (args.resume)
-        must(state_resume(state, &c, columns(), &march, &energy, &mark, &why), &why);
-    open_results(&grid);
+    open_files(&grid);
     signals_defer();
     run(&grid);
     if (signals_pending() && march.step <= (grid.rows - 1) * grid.substeps)
         end_by_signal();
-    if (args.state)
-        save_state();
-    must(out_close(&result, &why), &why);
-    if (args.field)
-        must(out_close(&field, &why), &why);
-    if (state && !args.state)
-        remove(state);
-    free(state);
+    must(run_close(&files, &why), &why);
     free(shape);
     free(speed);
     march_free(&march);
