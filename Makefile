@@ -20,6 +20,10 @@ OWN_CPPFLAGS = -D_GNU_SOURCE -DSEILWERK_VERSION='"$(VERSION)"' -Icommon \
 OWN_CFLAGS = -std=c11 $(WARN) $(HARDEN)
 COMPILE = $(CC) $(OWN_CPPFLAGS) $(OWN_CFLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK = $(CC) $(OWN_CFLAGS) $(HARDEN_LD) $(CFLAGS) $(LDFLAGS)
+# OpenMP where the compiler has it; without it maps are computed in one thread.
+OPENMP := $(shell echo 'int main(void) { return 0; }' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && \
+  echo -fopenmp)
+OWN_CFLAGS += $(if $(OPENMP),$(OPENMP),-Wno-unknown-pragmas)
 LIBS = -Wl,--as-needed -larpack -llapacke -lopenblas -linih -lcsv -lm
 
 TOOLS = $(patsubst tools/%.c,%,$(wildcard tools/*.c))

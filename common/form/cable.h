@@ -9,6 +9,7 @@
 #include "phys/damper.h"
 #include "phys/find.h"
 #include "phys/march.h"
+#include "phys/parametric.h"
 #include "sys/opt.h"
 #include "sys/out.h"
 
@@ -63,6 +64,25 @@ struct known_keys {
     int mode, plane, slack; /* of value[GIVEN_FREQUENCY]; plane 0: out, 1: in */
 };
 
+#define MAX_STABILITY_MODES 40 /* as many fit on a line */
+
+enum stability_method { METHOD_BOLOTIN, METHOD_FLOQUET };
+
+/* [stability]: the map of parametric resonance. */
+struct stability {
+    int method;                        /* enum stability_method */
+    int theory;                        /* enum theory */
+    int quadratic;                     /* 0 or 1 */
+    int undamped;                      /* ground motion */
+    double modes[MAX_STABILITY_MODES]; /* as written, NAN behind the last */
+    int mode[MAX_STABILITY_MODES];     /* from 0 */
+    int n_modes;
+    int harmonics;
+    double ratio_start, ratio_end, ratio_step; /* Omega over twice the reference frequency */
+    int reference;                             /* mode, from 1 */
+    double amplitude_start, amplitude_end, amplitude_step; /* [m] */
+};
+
 struct cable_case {
     struct cable bare;           /* as given, before load and expansion; L0, EA resolved */
     double youngs_modulus, area; /* NAN if axial_stiffness was given */
@@ -89,6 +109,7 @@ struct cable_case {
     struct wind wind;    /* cd NAN: none */
     struct time_plan time;
     int terms;
+    struct stability stability;
     struct disturbance *disturbance;
     char (*disturbance_label)[KEYS_LABEL_BYTES];
     int n_disturbances;

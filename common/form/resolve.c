@@ -357,6 +357,32 @@ static enum status resolve_time(const struct reading *r, struct cable_case *c)
     return SW_OK;
 }
 
+static enum status resolve_stability(const struct reading *r, struct cable_case *c)
+{
+    struct stability *p = &c->stability;
+
+    for (; p->n_modes < MAX_STABILITY_MODES && !isnan(p->modes[p->n_modes]); p->n_modes++) {
+        double mode = p->modes[p->n_modes];
+
+        if (mode != floor(mode) || mode > 6.0 * c->elements)
+            return keys_fail(r, "stability", "modes",
+                             "each must be a mode that the mesh has, from 1");
+        for (int i = 0; i < p->n_modes; i++)
+            if (p->modes[i] == mode)
+                return keys_fail(r, "stability", "modes", "a mode is given twice");
+        p->mode[p->n_modes] = (int)mode - 1;
+    }
+    if (p->reference > 6 * c->elements)
+        return keys_fail(r, "stability", "reference_mode", "the mesh has fewer modes");
+    if (!(p->ratio_end >= p->ratio_start))
+        return keys_fail(r, "stability", "ratio_end", "must not lie below ratio_start");
+    if (isnan(p->amplitude_end))
+        p->amplitude_end = p->method == METHOD_FLOQUET ? 0.1 : 1;
+    if (!(p->amplitude_end >= p->amplitude_start))
+        return keys_fail(r, "stability", "amplitude_end", "must not lie below amplitude_start");
+    return SW_OK;
+}
+
 enum status case_resolve(const struct reading *r, struct cable_case *c)
 {
     enum status s = case_resolve_model(r, c);
@@ -371,6 +397,8 @@ enum status case_resolve(const struct reading *r, struct cable_case *c)
         s = resolve_force(r, c->force_label[i], &c->force_section[i]);
     if (s == SW_OK)
         s = resolve_wind(r, &c->wind);
+    if (s == SW_OK)
+        s = resolve_stability(r, c);
     if (s == SW_OK)
         s = collect(r, c);
     for (int i = 0; i < c->n_disturbances && s == SW_OK; i++)

@@ -20,8 +20,8 @@ static uint64_t mix(uint64_t hash, const char *text, size_t length)
     return hash;
 }
 
-/* Checksum of the resolved case without time.end, and of extra; 0: memory ran out. */
-static uint64_t checksum(const struct cable_case *c, const char *extra)
+enum status state_checksum(const struct cable_case *c, const char *extra, double *ret_high,
+                           double *ret_low, struct why *why)
 {
     struct cable_case other = *c;
     char *text = NULL;
@@ -30,16 +30,18 @@ static uint64_t checksum(const struct cable_case *c, const char *extra)
     uint64_t hash;
 
     if (!o.f)
-        return 0;
+        return fail_plain(why, SW_NOMEM);
     other.time.end = NAN;
     case_print(&other, &o);
     if (fclose(o.f) != 0) {
         free(text);
-        return 0;
+        return fail_plain(why, SW_NOMEM);
     }
     hash = mix(mix(14695981039346656037u, text, length), extra, strlen(extra));
     free(text);
-    return hash;
+    *ret_high = (double)(hash >> 32);
+    *ret_low = (double)(hash & 0xffffffff);
+    return SW_OK;
 }
 
 static void put_energy(const struct energy *e, double *to)
@@ -70,17 +72,15 @@ enum status state_write(const char *path, const struct cable_case *c, const char
 {
     size_t n = model_unknowns(m->model);
     double *all = mem_doubles(STATE_HEAD + 3 * n);
-    uint64_t hash = checksum(c, extra);
     struct out o;
-    enum status s;
+    enum status s = all ? state_checksum(c, extra, &all[STATE_CASE_HIGH], &all[STATE_CASE_LOW], why)
+                        : fail_plain(why, SW_NOMEM);
 
-    if (!all || hash == 0) {
+    if (s != SW_OK) {
         free(all);
-        return fail_plain(why, SW_NOMEM);
+        return s;
     }
     all[STATE_VERSION] = VERSION;
-    all[STATE_CASE_HIGH] = (double)(hash >> 32);
-    all[STATE_CASE_LOW] = (double)(hash & 0xffffffff);
     all[STATE_ELEMENTS] = m->model->n;
     all[STATE_DT] = m->options.dt;
     all[STATE_STEP] = (double)m->step;
@@ -132,14 +132,15 @@ enum status state_resume(const char *path, const struct cable_case *c, const cha
                          struct why *why)
 {
     size_t n = model_unknowns(m->model);
-    uint64_t hash = checksum(c, extra);
+    double high, low;
     struct npy a;
-    enum status s = read_state(path, m->model, &a, why);
+    enum status s = state_checksum(c, extra, &high, &low, why);
 
+    if (s == SW_OK)
+        s = read_state(path, m->model, &a, why);
     if (s != SW_OK)
         return s;
-    if (a.data[STATE_CASE_HIGH] != (double)(hash >> 32) ||
-        a.data[STATE_CASE_LOW] != (double)(hash & 0xffffffff) ||
+    if (a.data[STATE_CASE_HIGH] != high || a.data[STATE_CASE_LOW] != low ||
         a.data[STATE_DT] != m->options.dt) {
         s = fail(why, SW_FORMAT,
                  "%s: is the state of another case, or of other options; only time.end may change",

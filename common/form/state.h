@@ -32,6 +32,10 @@ struct progress_mark {
     long rows, bytes, fields;
 };
 
+/* Two halves of a checksum of the resolved case without time.end, and of extra.  SW_NOMEM. */
+enum status state_checksum(const struct cable_case *c, const char *extra, double *ret_high,
+                           double *ret_low, struct why *why);
+
 /* Write the state of m to path, whole or not at all.  extra tells of options that change the
  * result's columns: it goes into the checksum.  SW_WRITE, SW_NOMEM. */
 enum status state_write(const char *path, const struct cable_case *c, const char *extra,

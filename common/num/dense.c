@@ -1,6 +1,7 @@
 /* Small dense problems by LAPACK. */
 #include "num/dense.h"
 
+#include <cblas.h>
 #include <lapacke.h>
 
 /* Status of an info that is not 0 for the reason given. */
@@ -38,4 +39,9 @@ enum status dense_pencil(int n, double *A, double *B, double *lambda)
 enum status dense_general(int n, double *A, double *re, double *im, double *x)
 {
     return judge(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', n, A, n, re, im, x, 1, x, n), SW_NOCONV);
+}
+
+void dense_threads(int n)
+{
+    openblas_set_num_threads(n);
 }

@@ -22,4 +22,7 @@ enum status dense_pencil(int n, double *A, double *B, double *lambda);
  * first, has x_k + i x_(k+1).  SW_NOCONV. */
 enum status dense_general(int n, double *A, double *re, double *im, double *x);
 
+/* Threads that BLAS and LAPACK may use in each call. */
+void dense_threads(int n);
+
 #endif
