@@ -14,11 +14,12 @@
 
 #define AT(member) offsetof(struct cable_case, member)
 #define IN_DAMPER(member) offsetof(struct damper, member)
-#define IN_MOTION(member) offsetof(struct motion, member)
+#define IN_MOTION(member) offsetof(struct motion_section, member)
+#define IN_FORCE(member) offsetof(struct force_section, member)
 #define IN_DISTURBANCE(member) offsetof(struct disturbance, member)
 
 static const struct key keys[] = {
-    {"cable", "unstressed_length", NUMBERS, AT(bare.L0), 1, 1, 1e-6, BIG, NULL, NULL},
+    {"cable", "unstressed_length", NUMBERS, AT(bare.L0), 1, 1, CASE_SHORTEST, BIG, NULL, NULL},
     {"cable", "mass_per_length", NUMBERS, AT(bare.mu), 1, 1, 1e-9, BIG, NULL, NULL},
     {"cable", "youngs_modulus", NUMBERS, AT(youngs_modulus), 1, 1, 1e-3, 1e18, NULL, NULL},
     {"cable", "area", NUMBERS, AT(area), 1, 1, 1e-15, BIG, NULL, NULL},
@@ -51,16 +52,27 @@ static const struct key keys[] = {
     {"damper", "position", NUMBERS, IN_DAMPER(position), 1, 1, 0, 1, NULL, NULL},
     {"damper", "direction", NUMBERS, IN_DAMPER(direction), 3, 3, -BIG, BIG, NULL, NULL},
     {"damper", "coefficient", NUMBERS, IN_DAMPER(coefficient), 1, 1, 0, 1e18, NULL, NULL},
-    {"motion", "support", WORD, IN_MOTION(support), 1, 1, 0, 0, "right left", "right"},
-    {"motion", "amplitude", NUMBERS, IN_MOTION(amplitude), 3, 3, -BIG, BIG, NULL, NULL},
-    {"motion", "omega", NUMBERS, IN_MOTION(omega), 1, 1, 1e-9, BIG, NULL, NULL},
-    {"motion", "phase", NUMBERS, IN_MOTION(phase), 1, 3, -BIG, BIG, NULL, "0"},
-    {"motion", "ramp", NUMBERS, IN_MOTION(ramp), 1, 1, 0, BIG, NULL, "0"},
+    {"motion", "support", WORD, IN_MOTION(motion.support), 1, 1, 0, 0, "right left", "right"},
+    {"motion", "amplitude", NUMBERS, IN_MOTION(motion.amplitude), 3, 3, -BIG, BIG, NULL, NULL},
+    {"motion", "omega", NUMBERS, IN_MOTION(motion.omega), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"motion", "phase", NUMBERS, IN_MOTION(motion.phase), 1, 3, -BIG, BIG, NULL, "0"},
+    {"motion", "ramp", NUMBERS, IN_MOTION(motion.ramp), 1, 1, 0, BIG, NULL, "0"},
+    {"motion", "file", TEXT, IN_MOTION(file), 1, 1, 0, 0, NULL, NULL},
+    {"force", "position", NUMBERS, IN_FORCE(position), 1, 1, 1e-9, 1, "all", NULL},
+    {"force", "value", NUMBERS, IN_FORCE(value), 3, 3, -1e18, 1e18, NULL, NULL},
+    {"force", "omega", NUMBERS, IN_FORCE(omega), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"force", "phase", NUMBERS, IN_FORCE(phase), 1, 1, -BIG, BIG, NULL, NULL},
+    {"force", "file", TEXT, IN_FORCE(file), 1, 1, 0, 0, NULL, NULL},
+    {"wind", "speed", NUMBERS, AT(wind.speed), 3, 3, -1e3, 1e3, NULL, NULL},
+    {"wind", "drag_coefficient", NUMBERS, AT(wind.cd), 1, 1, 1e-9, 1e3, NULL, NULL},
+    {"wind", "diameter", NUMBERS, AT(wind.diameter), 1, 1, 1e-6, 1e3, NULL, NULL},
+    {"wind", "air_density", NUMBERS, AT(wind.density), 1, 1, 1e-9, 1e5, NULL, NULL},
     {"time", "end", NUMBERS, AT(time.end), 1, 1, 0, BIG, NULL, NULL},
     {"time", "scheme", WORD, AT(time.scheme), 1, 1, 0, 0, "central", "central"},
     {"time", "step", NUMBERS, AT(time.step), 1, 1, 1e-12, BIG, "auto", "auto"},
     {"time", "start", TEXT, AT(time.start_text), 1, 1, 0, 0, NULL, "static"},
     {"time", "output_every", NUMBERS, AT(time.output_every), 1, 1, 1e-12, BIG, NULL, NULL},
+    {"time", "field_every", NUMBERS, AT(time.field_every), 1, 1, 1e-12, BIG, NULL, NULL},
     {"time", "probes", NUMBERS, AT(time.probe), 1, MAX_PROBES, 0, 1, NULL, "0.5"},
     {"nonlinear", "terms", WHOLE, AT(terms), 1, 1, 0, 3, NULL, "3"},
     {"disturbance", "time", NUMBERS, IN_DISTURBANCE(time), 1, 1, 0, BIG, NULL, "0"},
@@ -75,10 +87,10 @@ static const struct key keys[] = {
 /* The sections called name, with or without label, in order: items of size bytes and their labels,
  * allocated. */
 static enum status take_labelled(const struct reading *r, const char *name, size_t size,
-                                 void **ret_items, char (**ret_label)[KEYS_TEXT_BYTES], int *ret_n)
+                                 void **ret_items, char (**ret_label)[KEYS_LABEL_BYTES], int *ret_n)
 {
     size_t room = (size_t)r->ini->n_sections;
-    char(*label)[KEYS_TEXT_BYTES] = *ret_label = mem_zeroed(room, sizeof *label);
+    char(*label)[KEYS_LABEL_BYTES] = *ret_label = mem_zeroed(room, sizeof *label);
     char *items = *ret_items = mem_zeroed(room, size);
     int n = 0;
 
@@ -104,7 +116,7 @@ static enum status take_labelled(const struct reading *r, const char *name, size
 }
 
 /* The sections that may carry a label. */
-#define LABELLED "damper motion disturbance"
+#define LABELLED "damper motion force disturbance"
 
 static enum status take_all(const struct reading *r, struct cable_case *c)
 {
@@ -112,11 +124,12 @@ static enum status take_all(const struct reading *r, struct cable_case *c)
         const char *name;
         size_t size;
         void *items; /* the place of a pointer to them */
-        char (**label)[KEYS_TEXT_BYTES];
+        char (**label)[KEYS_LABEL_BYTES];
         int *n;
     } labelled[] = {
         {"damper", sizeof *c->damper, &c->damper, &c->damper_label, &c->n_dampers},
-        {"motion", sizeof *c->motion, &c->motion, &c->motion_label, &c->n_motions},
+        {"motion", sizeof *c->motion_section, &c->motion_section, &c->motion_label, &c->n_motions},
+        {"force", sizeof *c->force_section, &c->force_section, &c->force_label, &c->n_forces},
         {"disturbance", sizeof *c->disturbance, &c->disturbance, &c->disturbance_label,
          &c->n_disturbances},
     };
@@ -163,8 +176,16 @@ void case_free(struct cable_case *c)
 {
     free(c->damper);
     free(c->damper_label);
+    for (int i = 0; i < c->n_motions; i++)
+        series_free(&c->motion_section[i].record);
+    for (int i = 0; i < c->n_forces; i++)
+        series_free(&c->force_section[i].record);
+    free(c->motion_section);
     free(c->motion);
     free(c->motion_label);
+    free(c->force_section);
+    free(c->force);
+    free(c->force_label);
     free(c->disturbance);
     free(c->disturbance_label);
     memset(c, 0, sizeof *c);
@@ -242,10 +263,11 @@ static int print_labelled(const struct cable_case *c, const char *section, struc
         int n;
         const void *items;
         size_t size;
-        char (*label)[KEYS_TEXT_BYTES];
+        char (*label)[KEYS_LABEL_BYTES];
     } labelled[] = {
         {"damper", c->n_dampers, c->damper, sizeof *c->damper, c->damper_label},
-        {"motion", c->n_motions, c->motion, sizeof *c->motion, c->motion_label},
+        {"motion", c->n_motions, c->motion_section, sizeof *c->motion_section, c->motion_label},
+        {"force", c->n_forces, c->force_section, sizeof *c->force_section, c->force_label},
         {"disturbance", c->n_disturbances, c->disturbance, sizeof *c->disturbance,
          c->disturbance_label},
     };

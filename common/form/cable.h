@@ -12,10 +12,11 @@
 #include "sys/opt.h"
 #include "sys/out.h"
 
-#define CASE_LARGEST 1e9 /* of lengths, times and most other numbers of a case */
-#define MAX_PROBES 99    /* more do not fit on a line */
+#define CASE_LARGEST 1e9   /* of lengths, times and most other numbers of a case */
+#define CASE_SHORTEST 1e-6 /* unstressed length [m] */
+#define MAX_PROBES 99      /* more do not fit on a line */
 
-enum time_start { START_STATIC, START_REST, START_MODE };
+enum time_start { START_STATIC, START_REST, START_MODE, START_STATE };
 
 /* A number that was not given is NAN, a whole number that was not given -1. */
 struct disturbance {
@@ -26,15 +27,31 @@ struct disturbance {
     int kind;            /* enum kick */
 };
 
+/* Sections that may name a recorded motion or force; the record is read by case_records. */
+struct motion_section {
+    struct motion motion;
+    char file[KEYS_TEXT_BYTES]; /* empty: harmonic */
+    struct series record;
+};
+
+struct force_section {
+    double position; /* theta/L0; 0: all along the cable */
+    double value[3]; /* [N], or [N] per unstressed metre */
+    double omega, phase;
+    char file[KEYS_TEXT_BYTES]; /* empty: value */
+    struct series record;
+};
+
 struct time_plan {
     double end;                       /* [s], NAN if not given */
     int scheme;                       /* 0: central differences */
     double step;                      /* [s], 0: auto */
     char start_text[KEYS_TEXT_BYTES]; /* as written */
-    enum time_start start;
-    int start_mode; /* from 1 */
+    enum time_start start;            /* START_STATE: start_text is the file's name */
+    int start_mode;                   /* from 1 */
     double start_amplitude;
     double output_every;      /* [s] */
+    double field_every;       /* [s]; NAN: as output_every */
     double probe[MAX_PROBES]; /* fractions of L0, NAN behind the last */
     int n_probes;
 };
@@ -59,15 +76,21 @@ struct cable_case {
     double alpha, beta;            /* resolved */
     double zeta[2], zeta_omega[2]; /* NAN once resolved */
     struct damper *damper;
-    char (*damper_label)[KEYS_TEXT_BYTES];
+    char (*damper_label)[KEYS_LABEL_BYTES];
     int n_dampers;
-    struct motion *motion;
-    char (*motion_label)[KEYS_TEXT_BYTES]; /* section with label */
+    struct motion_section *motion_section;
+    struct motion *motion;                  /* (n_motions), of these sections */
+    char (*motion_label)[KEYS_LABEL_BYTES]; /* section with label */
     int n_motions;
+    struct force_section *force_section;
+    char (*force_label)[KEYS_LABEL_BYTES];
+    int n_forces;
+    struct force *force; /* (n_forces), of these sections */
+    struct wind wind;    /* cd NAN: none */
     struct time_plan time;
     int terms;
     struct disturbance *disturbance;
-    char (*disturbance_label)[KEYS_TEXT_BYTES];
+    char (*disturbance_label)[KEYS_LABEL_BYTES];
     int n_disturbances;
 };
 
@@ -88,6 +111,13 @@ const struct key *case_model_key(const char *name);
 /* The model sections of *c: all defaults, then those of the --set assignments, which may set no
  * other section.  Not resolved.  SW_USAGE, SW_NOMEM. */
 enum status case_model_defaults(const struct opt_list *sets, struct cable_case *c, struct why *why);
+
+/* Read the files that sections of the case at path name, relative to its directory.  SW_READ,
+ * SW_FORMAT, SW_NOMEM. */
+enum status case_records(struct cable_case *c, const char *path, struct why *why);
+
+/* file, or beside the case at path if it is relative; to be freed; NULL: memory ran out. */
+char *case_beside(const char *path, const char *file);
 
 /* The model of c with elements laid on its line.  As model_new. */
 enum status case_model(const struct cable_case *c, struct model *ret);

@@ -151,9 +151,9 @@ enum status keys_judge_names(const struct reading *r)
             return ini_fail(r->why, r->ini, e, "unknown section [%s]", e->section);
         if (e->section[bare(e->section)] != '\0' && !section_labelled(r, e->section))
             return ini_fail(r->why, r->ini, e, "section [%s] takes no label", e->section);
-        if (strlen(e->section) >= KEYS_TEXT_BYTES)
+        if (strlen(e->section) >= KEYS_LABEL_BYTES)
             return ini_fail(r->why, r->ini, e, "the label is longer than %d bytes",
-                            KEYS_TEXT_BYTES - 1);
+                            KEYS_LABEL_BYTES - 1);
     }
     for (int i = 0; i < r->ini->n; i++) {
         const struct ini_entry *e = &r->ini->entry[i];
@@ -208,14 +208,21 @@ static void print_word(const char *words, int index, struct out *o)
     fprintf(o->f, " %.*s", (int)strcspn(words, " "), words);
 }
 
+/* Whether the key has a value. */
+static int is_set(const struct key *k, const char *base)
+{
+    const char *at = base + k->at;
+
+    if (k->kind == NUMBERS)
+        return !isnan(*(const double *)(const void *)at);
+    return k->kind == TEXT ? *at != '\0' : *(const int *)(const void *)at >= 0;
+}
+
 static void print_key(const struct key *k, const char *base, struct out *o)
 {
     const char *at = base + k->at;
     const double *x = (const double *)(const void *)at;
 
-    if ((k->kind == NUMBERS && isnan(x[0])) ||
-        ((k->kind == WHOLE || k->kind == WORD) && *(const int *)(const void *)at < 0))
-        return;
     fprintf(o->f, "%s =", k->name);
     if (k->kind == WORD)
         print_word(k->words, *(const int *)(const void *)at, o);
@@ -236,8 +243,13 @@ static void print_key(const struct key *k, const char *base, struct out *o)
 void keys_print(const struct key *keys, int n_keys, const char *heading, const void *base,
                 struct out *o)
 {
-    fprintf(o->f, "[%s]\n", heading);
-    for (int i = 0; i < n_keys; i++)
-        if (section_is(heading, keys[i].section))
-            print_key(&keys[i], base, o);
+    int any = 0;
+
+    for (int i = 0; i < n_keys; i++) {
+        if (!section_is(heading, keys[i].section) || !is_set(&keys[i], base))
+            continue;
+        if (!any++)
+            fprintf(o->f, "[%s]\n", heading);
+        print_key(&keys[i], base, o);
+    }
 }

@@ -1,5 +1,6 @@
 /* What the keys of a cable mean together: either-or, defaults that depend on others. */
 #include "form/resolve.h"
+#include "num/mem.h"
 #include "num/pi.h"
 #include "sys/number.h"
 
@@ -60,11 +61,28 @@ static const char *take_known(const struct reading *r, struct cable_case *c, str
     return key;
 }
 
+/* Why no length, or none that a case may have, gives what is known. */
+static void tell_infeasible(const struct reading *r, const char *key, double value, double least)
+{
+    char text[200];
+
+    if (isnan(least))
+        snprintf(text, sizeof text, "only one cable, the tauter one, has it");
+    else if (isinf(least))
+        snprintf(text, sizeof text, "no length gives %.9g; the cable would be stretched too far",
+                 value);
+    else if (least < value)
+        snprintf(text, sizeof text, "no length gives %.9g", value);
+    else
+        snprintf(text, sizeof text, "no length gives %.9g; the least possible is %.9g", value,
+                 least);
+    keys_fail(r, "cable", key, text);
+}
+
 /* The unstressed length from what is known of the cable. */
 static enum status resolve_length(const struct reading *r, struct cable_case *c)
 {
     struct known known;
-    char text[200];
     double least = NAN;
     enum status s;
     const char *key = take_known(r, c, &known, &s);
@@ -72,13 +90,12 @@ static enum status resolve_length(const struct reading *r, struct cable_case *c)
     if (s != SW_OK || !key)
         return s;
     s = find_length(&c->bare, &c->load, &known, &c->bare.L0, &least);
+    if (s == SW_OK && c->bare.L0 < CASE_SHORTEST) {
+        s = SW_INFEASIBLE;
+        least = INFINITY;
+    }
     if (s == SW_INFEASIBLE) {
-        if (isnan(least))
-            snprintf(text, sizeof text, "only one cable, the tauter one, has it");
-        else
-            snprintf(text, sizeof text, "no length gives %.9g; the least possible is %.9g",
-                     known.value, least);
-        keys_fail(r, "cable", key, text);
+        tell_infeasible(r, key, known.value, least);
         return s;
     }
     if (s != SW_OK)
@@ -167,7 +184,8 @@ static enum status resolve_damper(const struct reading *r, const char *section,
     if (isnan(d->position))
         return keys_fail(r, section, "position", "is missing");
     if (!(d->position > 0 && d->position < 1))
-        return keys_fail(r, section, "position", "must lie between the supports, above 0 and below 1");
+        return keys_fail(r, section, "position",
+                         "must lie between the supports, above 0 and below 1");
     if (isnan(d->direction[0]))
         return keys_fail(r, section, "direction", "is missing");
     if (d->direction[0] == 0 && d->direction[1] == 0 && d->direction[2] == 0)
@@ -177,8 +195,17 @@ static enum status resolve_damper(const struct reading *r, const char *section,
     return SW_OK;
 }
 
-static enum status resolve_motion(const struct reading *r, const char *section, struct motion *m)
+static enum status resolve_motion(const struct reading *r, const char *section,
+                                  struct motion_section *p)
 {
+    struct motion *m = &p->motion;
+
+    if (p->file[0] != '\0' && (!isnan(m->amplitude[0]) || !isnan(m->omega)))
+        return keys_fail(r, section, "file", "give either a file, or amplitude and omega");
+    if (p->file[0] != '\0') {
+        m->phase[0] = NAN; /* tells nothing, and is not printed */
+        return SW_OK;
+    }
     if (isnan(m->amplitude[0]))
         return keys_fail(r, section, "amplitude", "is missing");
     if (isnan(m->omega))
@@ -187,6 +214,66 @@ static enum status resolve_motion(const struct reading *r, const char *section, 
         return keys_fail(r, section, "phase", "give one number or three");
     if (isnan(m->phase[1]))
         m->phase[1] = m->phase[2] = m->phase[0];
+    return SW_OK;
+}
+
+static enum status resolve_force(const struct reading *r, const char *section,
+                                 struct force_section *p)
+{
+    if (isnan(p->position))
+        return keys_fail(r, section, "position", "is missing");
+    if (!(p->position < 1))
+        return keys_fail(r, section, "position", "must lie between the supports, or be all");
+    if ((p->file[0] != '\0') == !isnan(p->value[0]))
+        return keys_fail(r, section, "value", "give either value or file");
+    if (!isnan(p->omega) && p->file[0] != '\0')
+        return keys_fail(r, section, "omega", "belongs to value, not to file");
+    if (!isnan(p->phase) && isnan(p->omega))
+        return keys_fail(r, section, "phase", "needs omega");
+    if (!isnan(p->omega) && isnan(p->phase))
+        p->phase = 0;
+    return SW_OK;
+}
+
+static enum status resolve_wind(const struct reading *r, struct wind *w)
+{
+    int given = !isnan(w->speed[0]) + !isnan(w->cd) + !isnan(w->diameter);
+
+    if (given == 0 && isnan(w->density))
+        return SW_OK;
+    if (isnan(w->speed[0]))
+        return keys_fail(r, "wind", "speed", "is missing");
+    if (isnan(w->cd))
+        return keys_fail(r, "wind", "drag_coefficient", "is missing");
+    if (isnan(w->diameter))
+        return keys_fail(r, "wind", "diameter", "is missing");
+    if (isnan(w->density))
+        w->density = 1.225;
+    return SW_OK;
+}
+
+/* The motions and forces of their sections, side by side; records come later. */
+static enum status collect(const struct reading *r, struct cable_case *c)
+{
+    double cold = c->bare.L0 / c->cable.L0;
+
+    c->motion = mem_zeroed((size_t)c->n_motions, sizeof *c->motion);
+    c->force = mem_zeroed((size_t)c->n_forces, sizeof *c->force);
+    if (!c->motion || !c->force)
+        return fail_plain(r->why, SW_NOMEM);
+    for (int i = 0; i < c->n_motions; i++)
+        c->motion[i] = c->motion_section[i].motion;
+    for (int i = 0; i < c->n_forces; i++) {
+        const struct force_section *p = &c->force_section[i];
+        double scale = p->position > 0 ? 1 : cold; /* per metre before expansion, and after it */
+
+        c->force[i] =
+            (struct force){p->position > 0 ? p->position : NAN,
+                           {scale * p->value[0], scale * p->value[1], scale * p->value[2]},
+                           p->omega,
+                           p->phase,
+                           NULL};
+    }
     return SW_OK;
 }
 
@@ -217,6 +304,8 @@ static double output_interval(const struct cable_case *c)
 
     for (int i = 0; i < c->n_motions; i++)
         omega = fmax(omega, c->motion[i].omega);
+    for (int i = 0; i < c->n_forces; i++)
+        omega = fmax(omega, c->force[i].omega);
     if (omega == 0 && line_solve(&c->cable, &line) == SW_OK)
         omega = PI / c->cable.span * sqrt(line.H * c->cable.span / (c->cable.mu * c->cable.L0));
     return fmin(fmax(2 * PI / omega / 50, 1e-12), CASE_LARGEST); /* the key's range */
@@ -254,10 +343,11 @@ static enum status resolve_time(const struct reading *r, struct cable_case *c)
     else if (n == 2 && !integer_read(mode, 1, 6L * c->elements, &k) &&
              !number_read(amplitude, &t->start_amplitude))
         t->start = START_MODE;
+    else if (strcmp(t->start_text, "mode") != 0 && strncmp(t->start_text, "mode ", 5) != 0)
+        t->start = START_STATE;
     else
-        return keys_fail(
-            r, "time", "start",
-            "expected static, rest, or mode K AMPLITUDE with a mode that the mesh has");
+        return keys_fail(r, "time", "start",
+                         "expected mode K AMPLITUDE with a mode that the mesh has");
     t->start_mode = (int)k;
     for (int i = 0; i < c->n_motions && t->start == START_REST; i++)
         if (!(c->motion[i].ramp > 0))
@@ -276,7 +366,13 @@ enum status case_resolve(const struct reading *r, struct cable_case *c)
     for (int i = 0; i < c->n_dampers && s == SW_OK; i++)
         s = resolve_damper(r, c->damper_label[i], &c->damper[i]);
     for (int i = 0; i < c->n_motions && s == SW_OK; i++)
-        s = resolve_motion(r, c->motion_label[i], &c->motion[i]);
+        s = resolve_motion(r, c->motion_label[i], &c->motion_section[i]);
+    for (int i = 0; i < c->n_forces && s == SW_OK; i++)
+        s = resolve_force(r, c->force_label[i], &c->force_section[i]);
+    if (s == SW_OK)
+        s = resolve_wind(r, &c->wind);
+    if (s == SW_OK)
+        s = collect(r, c);
     for (int i = 0; i < c->n_disturbances && s == SW_OK; i++)
         s = resolve_disturbance(r, c->disturbance_label[i], c, &c->disturbance[i]);
     return s == SW_OK ? resolve_time(r, c) : s;

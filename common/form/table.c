@@ -8,10 +8,17 @@
 
 static enum status take_header(struct table *t, struct why *why)
 {
+    int known = 0;
+
+    for (int i = 0; i < t->n; i++)
+        known += (t->key[i] = case_model_key(t->csv.cell[i])) != NULL;
+    if (known == 0)
+        return csv_fail(why, &t->csv,
+                        "no column is a key of a cable; a header line is expected, such as "
+                        "span,unstressed_length,...");
     for (int i = 0; i < t->n; i++) {
         const char *name = t->csv.cell[i];
 
-        t->key[i] = case_model_key(name);
         for (int j = 0; j < i; j++)
             if (strcmp(name, t->csv.cell[j]) == 0 || (t->key[i] && t->key[i] == t->key[j]))
                 return csv_fail(why, &t->csv, "columns %d and %d are both '%.60s'", j + 1, i + 1,

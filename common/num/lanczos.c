@@ -7,6 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The Fortran routine itself, with the lengths of its three texts: arpack.h's dseupd_c requests
+ * memory and does not look whether it got any. */
+void dseupd_(const int *rvec, const char *howmny, int *select, double *d, double *z, const int *ldz,
+             const double *sigma, const char *bmat, const int *n, const char *which, const int *nev,
+             const double *tol, double *resid, const int *ncv, double *v, const int *ldv,
+             int *iparam, int *ipntr, double *workd, double *workl, const int *lworkl, int *info,
+             size_t, size_t, size_t);
+
 #define MAX_RESTARTS 300
 #define TOLERANCE 1e-12 /* of each 1/lambda, and so of the residual of its vector */
 
@@ -108,11 +116,14 @@ static enum status iterate(struct run *r)
  * x^T M x = x^T K x/lambda = 1.  */
 static enum status extract(struct run *r, double *lambda, double *x)
 {
-    int info = 0, lworkl = r->vectors * (r->vectors + 8), k = r->k;
+    const int with_vectors = 1, lworkl = r->vectors * (r->vectors + 8), k = r->k;
+    const double sigma = 0, tolerance = TOLERANCE;
     double *nu = r->work, *y = r->basis;
+    int info = 0;
 
-    dseupd_c(1, "A", r->chosen, nu, y, r->n, 0, "I", r->n, "LM", k, TOLERANCE, r->resid, r->vectors,
-             r->basis, r->n, r->iparam, r->ipntr, r->workd, r->workl, lworkl, &info);
+    dseupd_(&with_vectors, "A", r->chosen, nu, y, &r->n, &sigma, "I", &r->n, "LM", &k, &tolerance,
+            r->resid, &r->vectors, r->basis, &r->n, r->iparam, r->ipntr, r->workd, r->workl,
+            &lworkl, &info, 1, 1, 2);
     if (info != 0)
         return SW_NOCONV;
     for (int i = 0; i < k; i++) { /* ARPACK's order is ascending in nu, but does not promise it */

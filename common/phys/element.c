@@ -123,6 +123,24 @@ void element_force(const struct element *e, int terms, const double v[12], doubl
     }
 }
 
+double element_potential(const struct element *e, int terms, const double v[12])
+{
+    double t2 = terms >= 2, t3 = terms >= 3, sum = 0;
+
+    for (int q = 0; q < GAUSS; q++) {
+        const struct material *m = &e->m[q];
+        double w[3], along, half_square;
+
+        slopes(e->slope[q], v, w);
+        along = m->x1 * w[0] + m->x2 * w[1];
+        half_square = (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / 2;
+        sum += gauss_weight[q] *
+               (m->T * half_square + m->EA * (along * along / 2 + t2 * along * half_square +
+                                              t3 * half_square * half_square / 2));
+    }
+    return sum * e->h;
+}
+
 double element_strain_energy(const struct element *e, const double v[12])
 {
     double sum = 0;

@@ -64,6 +64,10 @@ struct strain_watch {
 void element_force(const struct element *e, int terms, const double v[12], double F[12],
                    struct strain_watch *watch);
 
+/* Potential of element_force at v [N m], terms 0, 2 or 3: int EA gamma^2/2 + T w.w/2 and its parts.
+ */
+double element_potential(const struct element *e, int terms, const double v[12]);
+
 /* v^T K v of the linear element: twice its strain energy [N m]. */
 double element_strain_energy(const struct element *e, const double v[12]);
 

@@ -57,25 +57,32 @@ static double frequency(struct search *f, const struct cable *c, const struct ax
     return omega / (2 * PI);
 }
 
+/* The line at the length of s, in the plane of its load. */
+static enum status hang(const struct search *f, double s, struct line *ret, struct axes *ret_axes)
+{
+    struct cable c = *f->c, hung;
+
+    c.L0 = length_of(f, s);
+    load_apply(&c, f->load, &hung, ret_axes);
+    return line_solve(&hung, ret);
+}
+
 /* The known quantity at the length of s, or NAN. */
 static double quantity(struct search *f, double s)
 {
-    struct cable c = *f->c, hung;
     struct axes axes;
     struct line line;
     struct line_point p;
 
-    c.L0 = length_of(f, s);
-    load_apply(&c, f->load, &hung, &axes);
-    if (line_solve(&hung, &line) != SW_OK)
+    if (hang(f, s, &line, &axes) != SW_OK)
         return NAN;
     switch (f->known->given) {
     case GIVEN_HORIZONTAL: return line.H * axes.e[0][0] + line.V * axes.e[1][0];
-    case GIVEN_MIDSPAN: line_at(&line, hung.L0 / 2, &p); return p.tension;
+    case GIVEN_MIDSPAN: line_at(&line, line.cable.L0 / 2, &p); return p.tension;
     case GIVEN_LEFT: return hypot(line.H, line.V);
     case GIVEN_RIGHT: return hypot(line.H, line.V - line.W);
-    case GIVEN_SAG: return find_sag(&line, &axes, hung.L0 / 2);
-    default: return frequency(f, &hung, &axes);
+    case GIVEN_SAG: return find_sag(&line, &axes, line.cable.L0 / 2);
+    default: return frequency(f, &line.cable, &axes);
     }
 }
 
@@ -106,17 +113,44 @@ struct bracket {
     double a, fa, b, fb;
 };
 
-/* Both sides of the crossing number wanted (1, 2) of three neighbours a < b < c with the least
- * value at b above zero, if it falls below zero between them. */
-static int cross_at_least(struct search *f, double a, double fa, double c, double fc, int wanted,
-                          struct bracket *ret)
+static double minus_excess(double s, void *context)
 {
-    double least, at = least_between(excess, f, a, c, &least);
+    return -excess(s, context);
+}
 
-    if (!(least <= 0))
+/* Both sides of the crossing number wanted (1, 2) of three neighbours s with the value v[1] nearest
+ * to zero, if there is a value of the other sign between them. */
+static int cross_at_extreme(struct search *f, const double s[3], const double v[3], int wanted,
+                            struct bracket *ret)
+{
+    int above = v[1] > 0;
+    double x, at = least_between(above ? excess : minus_excess, f, s[0], s[2], &x);
+
+    if (!(x <= 0))
         return 0;
-    *ret = wanted == 1 ? (struct bracket){a, fa, at, least} : (struct bracket){at, least, c, fc};
+    x = above ? x : -x;
+    *ret = wanted == 1 ? (struct bracket){s[0], v[0], at, x} : (struct bracket){at, x, s[2], v[2]};
     return 1;
+}
+
+/*
+ * The place after s, about a step on, which grows.  Frequencies in the plane fall, rise and fall
+ * again while the tension halves (Irvine's lambda^2 grows by its third power): it may fall by a
+ * seventh at a time.
+ */
+static double next_place(const struct search *f, double s, double *step)
+{
+    struct axes axes;
+    struct line here, there;
+    double next;
+
+    if (f->known->given == GIVEN_FREQUENCY && f->known->part == PART_PLANE &&
+        hang(f, s, &here, &axes) == SW_OK)
+        while (hang(f, s + *step, &there, &axes) == SW_OK && there.H < 0.86 * here.H)
+            *step /= 2;
+    next = s + *step;
+    *step *= 2;
+    return next;
 }
 
 /*
@@ -125,13 +159,12 @@ static int cross_at_least(struct search *f, double a, double fa, double c, doubl
  */
 static int find_bracket(struct search *f, double strain, struct bracket *ret)
 {
-    int weightless =
-        f->c->g == 0 && f->load->wind[0] == 0 && f->load->wind[1] == 0 && f->load->wind[2] == 0;
+    int weightless = f->c->g == 0 && load_is_calm(f->load);
     int crossings = 0, wanted = f->known->slack ? 2 : 1;
     double s[3] = {0, 0, -strain}, v[3] = {NAN, NAN, excess(-strain, f)}, step = strain / 2;
 
     while (f->failed == SW_OK) {
-        double next = weightless ? s[2] / 2 : s[2] + step;
+        double next = weightless ? s[2] / 2 : next_place(f, s[2], &step);
         double limit = f->known->given == GIVEN_FREQUENCY ? SLACKEST * line_chord(f->c) : LONGEST;
 
         if (length_of(f, next) > limit || (weightless && -next < LEAST_STRETCHED))
@@ -142,15 +175,15 @@ static int find_bracket(struct search *f, double strain, struct bracket *ret)
         }
         s[2] = next;
         v[2] = excess(next, f);
-        step *= 2;
         if (isnan(v[2]))
             return 0;
         if ((v[2] > 0) != (v[1] > 0) && ++crossings == wanted) {
             *ret = (struct bracket){s[1], v[1], s[2], v[2]};
             return 1;
         }
-        if (v[1] > 0 && v[2] > v[1] && v[0] > v[1] &&
-            cross_at_least(f, s[0], v[0], s[2], v[2], wanted, ret))
+        if ((v[1] > 0) == (v[0] > 0) && (v[1] > 0) == (v[2] > 0) &&
+            fabs(v[1]) <= fmin(fabs(v[0]), fabs(v[2])) &&
+            cross_at_extreme(f, s, v, wanted - crossings, ret))
             return 1;
     }
     return 0;
@@ -165,7 +198,7 @@ enum status find_length(const struct cable *c, const struct load *load, const st
 
     while (strain < MOST_STRETCHED && !(excess(-strain, &f) > 0) && f.failed == SW_OK)
         strain *= 2;
-    f.least = INFINITY;
+    f.least = INFINITY; /* which it stays where no cable has as much */
     if (strain < MOST_STRETCHED && find_bracket(&f, strain, &at)) {
         s = root_between(excess, &f, at.a, at.fa, at.b, at.fb);
         *ret = length_of(&f, s);

@@ -36,7 +36,8 @@ double find_sag(const struct line *s, const struct axes *axes, double theta);
 /*
  * *ret = unstressed length (before expansion) with which the cable c, its L0 ignored, has what is
  * known under the load; solved to round-off.  SW_INFEASIBLE: there is none; *ret_least is then the
- * least value that any length gives, or NAN where only the slacker of two cables is missing.
+ * least value that any length gives, NAN where only the slacker of two cables is missing, INFINITY
+ * where a thousandfold stretch does not give so much.
  * SW_NOMEM, SW_ADMISSIBLE: the cable itself is not admissible for any length.
  */
 enum status find_length(const struct cable *c, const struct load *load, const struct known *k,

@@ -23,7 +23,7 @@ struct force {
  */
 struct wind {
     double speed[3]; /* [m/s] */
-    double cd;       /* drag coefficient; 0: no wind */
+    double cd;       /* drag coefficient; 0 or NAN: no wind */
     double diameter; /* [m] */
     double density;  /* of the air [kg/m3] */
 };

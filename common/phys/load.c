@@ -26,6 +26,11 @@ static double turn(const double e2[3], const double chord[3], struct axes *ret)
     return across;
 }
 
+int load_is_calm(const struct load *load)
+{
+    return load->wind[0] == 0 && load->wind[1] == 0 && load->wind[2] == 0;
+}
+
 void load_apply(const struct cable *c, const struct load *load, struct cable *ret,
                 struct axes *ret_axes)
 {
@@ -37,7 +42,9 @@ void load_apply(const struct cable *c, const struct load *load, struct cable *re
     *ret_axes = (struct axes){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     ret->L0 = c->L0 * stretch;
     ret->mu = mass / stretch;
-    size = sqrt(dot(p, p));
+    size = hypot(hypot(p[0], p[2]), p[1]);
+    if (load_is_calm(load))
+        return; /* gravity as given, to the last digit and however small */
     ret->g = size / mass;
     if (size == 0 || (p[0] == 0 && p[2] == 0 && p[1] > 0))
         return;

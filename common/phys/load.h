@@ -31,6 +31,9 @@ struct axes {
 void load_apply(const struct cable *c, const struct load *load, struct cable *ret,
                 struct axes *ret_axes);
 
+/* Whether there is no wind. */
+int load_is_calm(const struct load *load);
+
 /* Unstressed length before expansion of a cable that has L0 with it. */
 double load_cold_length(const struct load *load, double L0);
 

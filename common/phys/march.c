@@ -199,7 +199,7 @@ static enum status first_acceleration(struct march *m, const double a[6])
     return SW_OK;
 }
 
-enum status march_start(struct march *m, const double *V0)
+enum status march_start(struct march *m, const double *V0, const double *W0)
 {
     double u[6], v[6], a[6], past[6], dt = m->options.dt;
     int held[6];
@@ -211,7 +211,8 @@ enum status march_start(struct march *m, const double *V0)
     m->step = 0;
     for (size_t i = 0; i < model_unknowns(m->model); i++) {
         m->V[i] = V0[i];
-        m->D[i] = m->dd[i] = 0;
+        m->D[i] = W0 ? dt * W0[i] : 0;
+        m->dd[i] = 0;
     }
     for (int i = 0; i < 6; i++) {
         m->V[held[i]] = u[i];
@@ -305,16 +306,22 @@ static void add_damper_support(const struct march *m, const int held[6], double 
     }
 }
 
+void march_support_change(const struct march *m, double ret[6])
+{
+    int held[6];
+
+    model_prescribed(m->model, held);
+    inertia_support(&m->inertia, m->F, m->D, m->dd, ret);
+    add_damper_support(m, held, ret);
+}
+
 void march_support_force(const struct march *m, double ret[6])
 {
     const struct line *s = &m->model->line;
     const double at_rest[6] = {-s->H, -s->V, 0, s->H, s->V - s->W, 0};
     double force[6];
-    int held[6];
 
-    model_prescribed(m->model, held);
-    inertia_support(&m->inertia, m->F, m->D, m->dd, force);
-    add_damper_support(m, held, force);
+    march_support_change(m, force);
     for (int i = 0; i < 6; i++)
         force[i] += at_rest[i];
     axes_to_space(&m->model->axes, force, ret);

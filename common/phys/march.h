@@ -66,9 +66,9 @@ enum status march_new(const struct model *m, const struct march_options *o, stru
 
 void march_free(struct march *m);
 
-/* Start at t = 0 from V0 at rest (supports with their own velocity).  The prescribed entries of V0
- * are taken from the motions. */
-enum status march_start(struct march *m, const double *V0);
+/* Start at t = 0 from V0 with velocity W0 over all nodes (NULL: at rest).  What is prescribed at
+ * the supports is taken from the motions. */
+enum status march_start(struct march *m, const double *V0, const double *W0);
 
 /* Disturb by size times shape: displacement of both time levels [m], or a velocity [m/s].  The
  * supports' entries of shape are passed over. */
@@ -84,6 +84,9 @@ const double *march_velocity(struct march *m);
 /* After march_solve: force of the left, then of the right support on the cable [N], static part
  * included (three axes each). */
 void march_support_force(const struct march *m, double ret[6]);
+
+/* The same without the static part, in the axes of the line's plane. */
+void march_support_change(const struct march *m, double ret[6]);
 
 /* Step on to t + dt with the solved dd. */
 void march_advance(struct march *m);

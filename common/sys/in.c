@@ -42,6 +42,13 @@ void in_close(struct in *in)
     in->f = NULL;
 }
 
+void in_close_replaceable(struct in *in)
+{
+    in_close(in);
+    if (n_seen > 0)
+        n_seen--;
+}
+
 int in_was_read(const struct stat *st)
 {
     for (int i = 0; i < n_seen; i++)

@@ -20,6 +20,9 @@ enum status in_open(const char *path, struct in *ret, struct why *why);
 
 void in_close(struct in *in);
 
+/* Close what was opened last: a file that this run may replace, as a state by a later one. */
+void in_close_replaceable(struct in *in);
+
 /* Whether the file of *st was opened by in_open in this run. */
 int in_was_read(const struct stat *st);
 

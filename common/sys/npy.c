@@ -12,7 +12,7 @@
 
 #define MAX_HEADER 65535 /* bytes; headers of plain arrays have about 100 */
 
-void npy_write(struct out *o, int dims, size_t rows, size_t columns, const double *data)
+void npy_begin(struct out *o, int dims, size_t rows, size_t columns)
 {
     char shape[64], header[192];
     int length;
@@ -23,13 +23,18 @@ void npy_write(struct out *o, int dims, size_t rows, size_t columns, const doubl
         snprintf(shape, sizeof shape, "(%zu, %zu)", rows, columns);
     length = snprintf(header, sizeof header,
                       "{'descr': '<f8', 'fortran_order': True, 'shape': %s, }", shape);
-    while ((10 + length + 1) % 64 != 0) /* data start at a multiple of 64 */
+    while (10 + length + 1 < NPY_HEADER_BYTES) /* a multiple of 64, where data start */
         header[length++] = ' ';
     header[length++] = '\n';
     fwrite("\x93NUMPY\x01\x00", 1, 8, o->f);
     putc(length & 255, o->f);
     putc(length >> 8, o->f);
     fwrite(header, 1, (size_t)length, o->f);
+}
+
+void npy_write(struct out *o, int dims, size_t rows, size_t columns, const double *data)
+{
+    npy_begin(o, dims, rows, columns);
     fwrite(data, sizeof *data, rows * columns, o->f);
 }
 

@@ -24,6 +24,11 @@ enum status npy_read(const struct in *in, struct npy *ret, struct why *why);
 
 void npy_free(struct npy *a);
 
+/* The header alone, for data that are written column by column afterwards; it has NPY_HEADER_BYTES
+ * for any extents. */
+#define NPY_HEADER_BYTES 128
+void npy_begin(struct out *o, int dims, size_t rows, size_t columns);
+
 /* Write rows x columns doubles, column-major; a vector if dims is 1.  Errors show in out_close. */
 void npy_write(struct out *o, int dims, size_t rows, size_t columns, const double *data);
 

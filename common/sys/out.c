@@ -71,7 +71,7 @@ int signals_pending(void)
 
 void signals_end(struct out *o)
 {
-    if (o->slot < 0)
+    if (o->f && o->slot < 0)
         fflush(o->f); /* complete rows; an unfinished file vanishes instead */
     remove_unfinished();
     signal(pending, SIG_DFL);
@@ -79,8 +79,8 @@ void signals_end(struct out *o)
     _exit(128 + pending);
 }
 
-/* Open o->path's FILE.part and note it as unfinished. */
-static enum status open_part(struct out *o, struct why *why)
+/* Open o->path's FILE.part, empty or as it is, and note it as unfinished. */
+static enum status open_part(struct out *o, int resumed, struct why *why)
 {
     char part[PATH_MAX];
     struct stat st;
@@ -101,14 +101,15 @@ static enum status open_part(struct out *o, struct why *why)
     }
     strcpy(unfinished[o->slot], part);
     in_use[o->slot] = 1;
-    fd = open(part, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    fd = open(part, O_WRONLY | O_CREAT | (resumed ? 0 : O_TRUNC), 0666);
     o->f = fd >= 0 ? fdopen(fd, "wb") : NULL;
     if (o->f)
         return SW_OK;
     fail(why, SW_WRITE, "%s: cannot be written: %s", part, strerror(errno));
     if (fd >= 0) {
         close(fd);
-        unlink(part);
+        if (!resumed)
+            unlink(part);
     }
     in_use[o->slot] = 0;
     o->slot = -1;
@@ -157,7 +158,60 @@ enum status out_open(struct out *o, const char *path, struct why *why)
         }
     }
     s = resolve(o, path, why);
-    return s == SW_OK ? open_part(o, why) : s;
+    return s == SW_OK ? open_part(o, 0, why) : s;
+}
+
+/* Copy from to a new file to. */
+static int copy_file(const char *from, const char *to)
+{
+    FILE *in = fopen(from, "rb"), *out = in ? fopen(to, "wb") : NULL;
+    char block[65536];
+    size_t n;
+    int good = out != NULL;
+
+    while (good && (n = fread(block, 1, sizeof block, in)) > 0)
+        good = fwrite(block, 1, n, out) == n;
+    if (in)
+        good &= !ferror(in) & (fclose(in) == 0);
+    if (out)
+        good &= fclose(out) == 0;
+    return good;
+}
+
+enum status out_resume(struct out *o, const char *path, long bytes, struct why *why)
+{
+    char part[PATH_MAX + 8];
+    struct stat st;
+    enum status s;
+
+    *o = (struct out){.slot = -1, .name = path};
+    s = resolve(o, path, why);
+    if (s != SW_OK)
+        return s;
+    snprintf(part, sizeof part, "%s.part", o->path);
+    if (stat(part, &st) != 0 && (stat(o->path, &st) != 0 || !S_ISREG(st.st_mode)))
+        return fail(why, SW_READ, "%s: neither it nor %s.part is there to be continued", path,
+                    path);
+    if (st.st_size < bytes)
+        return fail(why, SW_READ, "%s: holds %ld bytes; the state was saved after %ld", path,
+                    (long)st.st_size, bytes);
+    if (stat(part, &st) != 0 && !copy_file(o->path, part)) {
+        unlink(part);
+        return fail(why, SW_WRITE, "%s: cannot be written: %s", part, strerror(errno));
+    }
+    s = open_part(o, 1, why);
+    if (s != SW_OK)
+        return s;
+    if (ftruncate(fileno(o->f), bytes) != 0 || fseek(o->f, bytes, SEEK_SET) != 0)
+        return fail(why, SW_WRITE, "%s: cannot be cut back: %s", part, strerror(errno));
+    return SW_OK;
+}
+
+long out_bytes(struct out *o)
+{
+    if (o->slot < 0 || fflush(o->f) != 0 || fsync(fileno(o->f)) != 0)
+        return -1;
+    return ftell(o->f);
 }
 
 void out_number(struct out *o, double x)
@@ -217,6 +271,17 @@ enum status out_finish(struct out *o, struct why *why)
         o->slot = -1;
     }
     return fail(why, SW_WRITE, "%s: cannot be written: %s", o->name, strerror(error));
+}
+
+enum status out_keep(struct out *o, struct why *why)
+{
+    enum status s = out_finish(o, why);
+
+    if (s == SW_OK && o->slot >= 0) {
+        in_use[o->slot] = 0;
+        o->slot = -1;
+    }
+    return s;
 }
 
 enum status out_rename(struct out *o, struct why *why)

@@ -28,6 +28,16 @@ void out_prepare(void);
 /* path NULL or "-": stdout.  SW_USAGE: the file was read in this run; SW_WRITE else. */
 enum status out_open(struct out *o, const char *path, struct why *why);
 
+/* Continue FILE.part, or what FILE itself holds already, behind its first bytes.  SW_READ: it is
+ * missing or shorter; else as out_open. */
+enum status out_resume(struct out *o, const char *path, long bytes, struct why *why);
+
+/* Bytes written so far, all of them with the system; -1: not to be told of what is no file. */
+long out_bytes(struct out *o);
+
+/* Flush, sync, close, and leave the unfinished file for out_resume.  SW_WRITE. */
+enum status out_keep(struct out *o, struct why *why);
+
 /* x in its shortest form (sys/number.h). */
 void out_number(struct out *o, double x);
 
@@ -52,7 +62,7 @@ enum status out_rename(struct out *o, struct why *why);
  * and ends by the signal: complete rows are flushed, an unfinished file is removed. */
 void signals_defer(void);
 int signals_pending(void);
-__attribute__((noreturn)) void signals_end(struct out *o);
+__attribute__((noreturn)) void signals_end(struct out *o); /* o may have been closed */
 
 /* Done so far, 0..1, on a terminal at stderr or with -v, not with -q; at most ten times a second.
  */

@@ -120,6 +120,62 @@ refuses 2 'node at a support' diffverf --set disturbance.node=2 \
 refuses 2 'three amplitudes of a mode' diffverf --set disturbance.mode=2 \
     --set 'disturbance.amplitude=0 0 1' stay.ini
 
+# What is given in place of the length, loads, dampers.
+sed '/^unstressed_length/d' stay.ini >open.ini
+# given NAME STATUS ASSIGNMENT...: of a case without a length.
+given()
+{
+    name=$1
+    status=$2
+    shift 2
+    for assignment; do
+        shift
+        set -- "$@" --set "$assignment"
+    done
+    refuses "$status" "$name" catenary "$@" open.ini
+}
+refuses 2 'no length' catenary open.ini
+bad 'a length and a sag' '[cable]\nsag = 0.2\n'
+given 'a force and a sag' 2 cable.tension_left=4e6 cable.sag=0.2
+given 'two frequencies' 2 cable.fundamental_frequency=1 cable.frequency=1
+given 'a mode of no frequency' 2 cable.sag=0.2 cable.mode=2
+given 'a plane of no frequency' 2 cable.fundamental_frequency=1 cable.plane=in
+given 'a mode beyond the mesh' 2 cable.frequency=1 cable.mode=3
+given 'an unknown plane' 2 cable.frequency=1 cable.plane=vertical
+given 'an unknown branch' 2 cable.sag=0.2 cable.branch=left
+given 'no sag at all' 2 cable.sag=0
+given 'a negative force' 2 cable.horizontal_force=-1
+set_ 'a branch of a known length' cable.branch=slack
+given 'a tension less than any' 1 cable.tension_right=1e4
+given 'a tension more than any' 1 cable.tension_left=1e18
+given 'a frequency less than any' 1 cable.fundamental_frequency=1e-3
+given 'a slacker cable that is none' 1 cable.midspan_tension=1e6 cable.branch=slack
+given 'no sag without gravity' 1 cable.sag=0.2 gravity.acceleration=0
+set_ 'negative ice' load.ice_mass_per_length=-1
+set_ 'a wind of one number' load.wind=3
+refuses 2 'wind along the chord without gravity' catenary --set gravity.acceleration=0 \
+    --set 'load.wind=1e3 0 0' stay.ini
+refuses 2 'an absurd expansion' catenary --set load.temperature_change=100 \
+    --set load.expansion_coefficient=0.01 stay.ini
+set_ 'damper at no place' damper.coefficient=1
+refuses 2 'damper at a support' catenary --set damper.position=1 \
+    --set 'damper.direction=0 1 0' --set damper.coefficient=1 stay.ini
+refuses 2 'damper of no direction' catenary --set damper.position=0.1 \
+    --set 'damper.direction=0 0 0' --set damper.coefficient=1 stay.ini
+
+# Tables.
+printf 'name,span,unstressed_length\na,110.5,110.2\n' >table.csv
+refuses 2 'table: missing' catenary --table nothing.csv
+refuses 2 'table: empty' catenary --table empty.ini
+refuses 2 'table: a case' catenary --table stay.ini
+refuses 2 'table: two files' catenary --table table.csv table.csv
+refuses 2 'table: no key of the model' catenary --table --set time.end=1 table.csv
+refuses 2 'table: a wrong default' catenary --table --set cable.area=wide table.csv
+refuses 2 'table: printed as a case' catenary --table --print-case table.csv
+refuses 2 'table and summary' catenary --table --summary table.csv
+refuses 2 'table: over its input' catenary --table -o table.csv table.csv
+refuses 1 'table: a row without mass' catenary --table table.csv
+
 # Outputs.
 refuses 1 'below a regular file' catenary -o stay.ini/line.csv stay.ini
 refuses 1 'a directory as output' catenary -o . stay.ini

@@ -7,6 +7,11 @@ sed 's/^end = .*/end = 0.1/; s/^elements = .*/elements = 2/' \
     "$top/scripts/experiments/ben-ahin/case.ini" >stay.ini
 faults=$SEILWERK_BUILD/tests/faults.so
 modal -d whole -o whole.csv stay.ini
+cat >table.csv <<END
+name,span,mass_per_length,axial_stiffness,sag,frequency,elements
+a,100,2,1e6,3,,
+"b, 2",100,2,1e6,,1.1,2
+END
 
 # Until the file has content, ten seconds at most.
 wait_for()
@@ -27,6 +32,9 @@ run()
     diffverf) diffverf -d whole -o result/out.csv --set disturbance.mode=1 \
         --set disturbance.amplitude=0.01 stay.ini ;;
     print) catenary --print-case -o result/out.csv stay.ini ;;
+    table) catenary --table -o result/out.csv table.csv ;;
+    stiffness) catenary --stiffness -o result/out.csv --set cable.unstressed_length= \
+        --set cable.fundamental_frequency=1.25 stay.ini ;;
     esac
 }
 
@@ -82,7 +90,7 @@ output()
 }
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
-    for tool in catenary modal diffverf print; do
+    for tool in catenary modal diffverf print table stiffness; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done
@@ -162,8 +170,9 @@ for signal in INT TERM; do
     status=$?
     [ $status -eq "$(case $signal in INT) echo 130 ;; TERM) echo 143 ;; esac)" ]
     ok $? "SIG$signal ends diffverf by that signal"
-    [ -z "$(ls result)" ]
-    ok $? 'and leaves nothing behind'
+    [ "$(ls result)" = 'out.csv.part
+out.csv.state' ] && [ "$(tail -c 1 result/out.csv.part | od -An -c | tr -d ' ')" = '\n' ]
+    ok $? 'and leaves complete rows and a state'
     env --default-signal=INT diffverf --set time.end=1e5 stay.ini >rows 2>err &
     pid=$!
     wait_for rows

@@ -87,13 +87,15 @@ static double frequency(struct march *a, int unknown, int crossings)
     return crossings * PI / (last - first);
 }
 
-static struct march new_march(const struct model *m, const double *V, int terms, double dt)
+/* Started from V with the velocity W, or at rest. */
+static struct march new_march(const struct model *m, const double *V, const double *W, int terms,
+                              double dt)
 {
     struct march_options o = {.dt = dt, .terms = terms};
     struct march a;
 
     assert_int_equal(march_new(m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, W), SW_OK);
     return a;
 }
 
@@ -116,7 +118,7 @@ static void planar_backbone(void **state)
             struct march a;
 
             half_sine(&m, i % 2 ? 2 : 4, A, V);
-            a = new_march(&m, V, 3, 0.9 * march_critical_step(&m));
+            a = new_march(&m, V, NULL, 3, 0.9 * march_critical_step(&m));
             w = frequency(&a, i % 2 ? DOWN : SIDE, 40);
             near_rel(w, wanted, 2e-4);
             assert_true(i == 0 || w > 1.005 * w0(&m)); /* far from the linear frequency */
@@ -161,8 +163,7 @@ static void whirling_backbone(void **state)
             half_sine(&m, 4, wanted * R, velocity);
             for (int k = 0; k < ALL; k++)
                 velocity[k] *= k % 6 >= 4; /* none along the string */
-            a = new_march(&m, V, 3, 0.9 * march_critical_step(&m));
-            march_kick(&a, KICK_VELOCITY, 1, velocity);
+            a = new_march(&m, V, velocity, 3, 0.9 * march_critical_step(&m));
             w = frequency(&a, SIDE, 40);
             near_rel(w, wanted, 2e-4);
             worst = fmax(worst, fabs(w / wanted - 1));
@@ -204,7 +205,7 @@ static struct lateral parametric(const struct model *m, double u0, double ratio,
         V[6 * k + 1] += u0 / L0;
     }
     assert_int_equal(march_new(m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, NULL), SW_OK);
     for (long k = 0; k < (long)end * substeps; k++) {
         if (k >= (long)last * substeps) {
             double v3 = a.V[6 * (m->n / 2) + 4];
@@ -305,14 +306,14 @@ static void critical_step(void **state)
             struct march a;
 
             V[MID] = V[MID + 1] = 1e-6;
-            a = new_march(&m, V, terms, 0.9 * march_critical_step(&m));
+            a = new_march(&m, V, NULL, terms, 0.9 * march_critical_step(&m));
             for (int k = 0; k < 20000; k++) {
                 step(&a);
                 most = fmax(most, fabs(a.V[MID]));
             }
             below(most, 2e-5);
             march_free(&a);
-            a = new_march(&m, V, terms, 1.01 * march_critical_step(&m));
+            a = new_march(&m, V, NULL, terms, 1.01 * march_critical_step(&m));
             a.omega_max = 0; /* the watch asleep */
             for (int k = 0; k < 20000 && s == SW_OK; k++) {
                 s = march_solve(&a);

@@ -3,6 +3,7 @@
 
 #include "form/cable.h"
 #include "num/mem.h"
+#include "phys/modes.h"
 
 #define BASE                                                                                       \
     "[cable]\nunstressed_length = 10\nmass_per_length = 2\naxial_stiffness = 1e6\n"                \
@@ -99,6 +100,8 @@ static void defaults(void **state)
                               "axial_stiffness = 1000000\n[supports]\nspan = 10.01\n"
                               "drop = 0\n"
                               "[gravity]\nacceleration = 9.81\n"
+                              "[load]\nice_mass_per_length = 0\nwind = 0 0 0\n"
+                              "temperature_change = 0\nexpansion_coefficient = 0\n"
                               "[mesh]\nelements = 20\nlaw = hooke\n"
                               "[damping]\nalpha = 0\nbeta = 0\n"
                               "[time]\nscheme = central\nstep = auto\nstart = static\n"
@@ -339,6 +342,12 @@ static void models(void **state)
         {"supports.span=10.02", "supports.span"},
         {"supports.drop=-1", "supports.drop"},
         {"gravity.acceleration=9.82", "gravity.acceleration"},
+        {"load.ice_mass_per_length=1", "load.ice_mass_per_length"},
+        {"load.wind=1 0 0", "load.wind"},
+        {"load.wind=0 1 0", "load.wind"},
+        {"load.wind=0 0 -1", "load.wind"},
+        {"load.temperature_change=1", "load.temperature_change"},
+        {"load.expansion_coefficient=1e-5", "load.expansion_coefficient"},
         {"mesh.elements=21", "mesh.elements"},
         {"mesh.law=thesis", "mesh.law"},
     };
@@ -397,8 +406,6 @@ static void values(void **state)
     bad(BASE "[damping]\nzeta = 0.1\nomega = 1 2\n", "test:8: zeta: 2 numbers are expected");
     bad(BASE "[time]\nstep = automatic\n", "test:8: step: 'automatic': not a number");
     bad(BASE "[time]\nscheme = alpha\n", "test:8: scheme: 'alpha' is not one of: central");
-    bad(BASE "[time]\nstart = mode 1 0.000000000000000000000000000000000000000000000000000000001\n",
-        "test:8: start: longer than 63 bytes");
     bad_set("--set supports.drop: '1,5': a decimal point is expected, not a comma",
             "supports.drop=1,5");
     bad_set("--set supports.span: 0 is outside of 1e-06 to 1e+09", "supports.span=0");
@@ -408,12 +415,13 @@ static void missing(void **state)
 {
     static const char one[] =
         "test: [cable] axial_stiffness: give either axial_stiffness or youngs_modulus and area";
+    static const char length[] = "test: [cable] unstressed_length: is missing, and nothing that it "
+                                 "follows from is given";
     (void)state;
 
-    bad("[mesh]\nelements = 2\n", "test: [cable] unstressed_length: is missing");
-    bad("[cable]\nunstressed_length = 1\n", "test: [cable] mass_per_length: is missing");
-    bad("[cable]\nunstressed_length = 1\nmass_per_length = 1\n",
-        "test: [supports] span: is missing");
+    bad("[mesh]\nelements = 2\n", "test: [cable] mass_per_length: is missing");
+    bad("[cable]\nmass_per_length = 1\n", "test: [supports] span: is missing");
+    refuse_with(BASE, (const char *const[4]){"cable.unstressed_length="}, SW_FORMAT, length);
     refuse_with(BASE, (const char *const[4]){"cable.axial_stiffness="}, SW_FORMAT, one);
     refuse_with(BASE, (const char *const[4]){"cable.axial_stiffness=", "cable.area=1"}, SW_FORMAT,
                 one);
@@ -426,6 +434,209 @@ static void missing(void **state)
     refuse_with(BASE, (const char *const[4]){"gravity.acceleration=0", "supports.span=10"},
                 SW_ADMISSIBLE,
                 "test: without gravity the chord must be longer than the unstressed length");
+}
+
+#define KNOWN "[cable]\nmass_per_length = 2\naxial_stiffness = 1e6\n[supports]\nspan = 10.01\n"
+
+/* Each of the givens: the length takes its place, in the printed case, too. */
+static void givens(void **state)
+{
+    static const char *const given[] = {"cable.horizontal_force=1000",
+                                        "cable.midspan_tension=1000",
+                                        "cable.tension_left=1000",
+                                        "cable.tension_right=1000",
+                                        "cable.sag=0.025",
+                                        "cable.fundamental_frequency=1.1",
+                                        "cable.frequency=1.1"};
+    char *text;
+    (void)state;
+
+    for (size_t i = 0; i < sizeof given / sizeof *given; i++) {
+        good(KNOWN, given[i], i == 6 ? "cable.mode=1" : NULL, "cable.plane=out");
+        assert_true(c.found && c.bare.L0 > 9.9 && c.bare.L0 < 10.02);
+        near_rel(c.cable.L0, c.bare.L0, 0);
+        text = printed(&c);
+        assert_int_equal(strncmp(text, "[cable]\nunstressed_length = ", 28), 0);
+        for (const char *const *word = (const char *const[]){"force", "tension", "sag", "freq",
+                                                             "mode =", "plane", "branch", NULL};
+             *word; word++)
+            assert_null(strstr(text, *word));
+        free(text);
+        fixed_point();
+    }
+    good(BASE, NULL);
+    assert_false(c.found);
+}
+
+/* 160 N, 8 % above the least (0.7544 w l of the level catenary), is found on two cables; the tauter
+ * one unless the slack one is asked for. */
+static void branches(void **state)
+{
+    double taut;
+    (void)state;
+
+    good(KNOWN, "cable.tension_left=160");
+    taut = c.bare.L0;
+    good(KNOWN, "cable.tension_left=160", "cable.branch=taut");
+    assert_true(c.bare.L0 == taut);
+    good(KNOWN, "cable.tension_left=160", "cable.branch=slack");
+    assert_true(c.bare.L0 > taut + 0.1);
+    fixed_point();
+    refuse_with(BASE, (const char *const[4]){"cable.branch=taut"}, SW_USAGE,
+                "--set cable.branch: the unstressed length is given, which is one cable");
+    refuse_with(KNOWN, (const char *const[4]){"cable.sag=0.1", "cable.branch=slack"}, SW_INFEASIBLE,
+                "--set cable.sag: only one cable, the tauter one, has it");
+}
+
+/* The frequency is that of the case's own mesh, law, plane and mode. */
+static void frequencies(void **state)
+{
+    static const struct {
+        const char *mode, *plane, *law;
+        int part, number;
+    } row[] = {{"cable.mode=1", "cable.plane=out", "mesh.law=hooke", PART_LATERAL, 1},
+               {"cable.mode=3", "cable.plane=out", "mesh.law=thesis", PART_LATERAL, 3},
+               {"cable.mode=2", "cable.plane=in", "mesh.law=printed", PART_PLANE, 2},
+               {"cable.mode=4", "cable.plane=in", "mesh.law=hooke", PART_PLANE, 4}};
+    (void)state;
+
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        struct model m;
+        double omega = NAN;
+
+        good(KNOWN "[cable]\nfrequency = 3.5\n[mesh]\nelements = 6\n", row[i].mode, row[i].plane,
+             row[i].law);
+        assert_int_equal(case_model(&c, &m), SW_OK);
+        assert_int_equal(modes_of_part(&m, (enum part)row[i].part, row[i].number, &omega), SW_OK);
+        near_rel(omega / (2 * PI), 3.5, 1e-9);
+        model_free(&m);
+    }
+}
+
+static void given_refusals(void **state)
+{
+    static const char one[] =
+        "give exactly one of unstressed_length, horizontal_force, midspan_tension, tension_left, "
+        "tension_right, sag, fundamental_frequency, frequency";
+    char text[300];
+    (void)state;
+
+    snprintf(text, sizeof text, "test:8: sag: %s", one);
+    bad(BASE "[cable]\nsag = 1\n", text);
+    snprintf(text, sizeof text, "test:8: sag: %s", one);
+    bad(KNOWN "[cable]\ntension_left = 3\nsag = 1\n", text);
+    snprintf(text, sizeof text, "test:7: fundamental_frequency: %s", one);
+    bad(KNOWN "[cable]\nfundamental_frequency = 3\nfrequency = 1\n", text);
+    bad(BASE "[cable]\nmode = 1\n",
+        "test:8: mode: tells of which mode frequency is; there is none");
+    bad(KNOWN "[cable]\nfundamental_frequency = 3\nplane = in\n",
+        "test:8: plane: tells of which mode frequency is; there is none");
+    bad(KNOWN "[cable]\nfrequency = 3\nmode = 21\n",
+        "test:8: mode: needs at least as many elements");
+    bad(KNOWN "[cable]\nfrequency = 3\nplane = sideways\n",
+        "test:8: plane: 'sideways' is not one of: out in");
+    bad(KNOWN "[cable]\nsag = 0\n", "test:7: sag: 0 is outside of 1e-09 to 1e+09");
+    refuse_with(KNOWN "[cable]\ntension_left = 10\n", NULL, SW_INFEASIBLE,
+                "test:7: tension_left: no length gives 10; the least possible is 148.153855");
+    refuse_with(
+        KNOWN "[cable]\nmidspan_tension = 1e18\n", NULL, SW_INFEASIBLE,
+        "test:7: midspan_tension: no length gives 1e+18; the cable would be stretched too far");
+}
+
+/* A length that no case may have is none. */
+static void too_short(void **state)
+{
+    (void)state;
+    refuse_with(
+        "[cable]\nmass_per_length = 1\naxial_stiffness = 1\ntension_left = 500\n[supports]\n"
+        "span = 1e-6\n",
+        NULL, SW_INFEASIBLE,
+        "test:4: tension_left: no length gives 500; the cable would be stretched too far");
+}
+
+/* Loads: the cable as given stays as it is, the one that hangs has them. */
+static void loads(void **state)
+{
+    (void)state;
+    good(BASE "[load]\nice_mass_per_length = 3\nwind = 0 0 15\ntemperature_change = -20\n"
+              "expansion_coefficient = 1e-5\n",
+         NULL);
+    assert_true(c.bare.L0 == 10 && c.bare.mu == 2 && c.bare.g == 9.81 && c.bare.span == 10.01);
+    near_rel(c.cable.L0, 10 * (1 - 2e-4), 1e-15);
+    near_rel(c.cable.mu * c.cable.L0, 50, 1e-15);
+    near_rel(c.cable.g, hypot(5 * 9.81, 15) / 5, 1e-15);
+    assert_true(!axes_are_plain(&c.axes));
+    fixed_point();
+    good(BASE "[load]\nwind = 0 5 0\n", NULL);
+    assert_true(axes_are_plain(&c.axes));
+    good(KNOWN "[cable]\nsag = 0.1\n[load]\nwind = 1 2 3\ntemperature_change = 30\n"
+               "expansion_coefficient = 1.2e-5\n",
+         NULL);
+    near_rel(c.cable.L0, c.bare.L0 * (1 + 3.6e-4), 1e-15);
+    fixed_point();
+    bad(BASE "[load]\nice_mass_per_length = -1\n",
+        "test:8: ice_mass_per_length: -1 is outside of 0 to 1e+09");
+    bad(BASE "[load]\nwind = 1 2\n", "test:8: wind: 3 numbers are expected");
+    bad(BASE "[load]\ntemperature_change = 9000\nexpansion_coefficient = 1e-2\n",
+        "test:8: temperature_change: changes the length by half or more; are the units right?");
+    refuse_with(BASE "[load]\nwind = 3 0 0\n", (const char *const[4]){"gravity.acceleration=0"},
+                SW_FORMAT, "test:8: wind: together with the weight acts along the chord");
+}
+
+static void dampers(void **state)
+{
+    (void)state;
+    good(BASE "[damper]\nposition = 0.03\ndirection = 0 1 0\ncoefficient = 100\n"
+              "[damper far end]\nposition = 0.97\ndirection = 0 0 -2\ncoefficient = 0\n",
+         NULL);
+    assert_int_equal(c.n_dampers, 2);
+    assert_string_equal(c.damper_label[1], "damper far end");
+    assert_true(c.damper[0].position == 0.03 && c.damper[0].direction[1] == 1);
+    assert_true(c.damper[1].direction[2] == -2 && c.damper[1].coefficient == 0);
+    fixed_point();
+    bad(BASE "[damper]\ndirection = 0 1 0\ncoefficient = 1\n",
+        "test: [damper] position: is missing");
+    bad(BASE "[damper a]\nposition = 0\ndirection = 0 1 0\ncoefficient = 1\n",
+        "test:8: position: must lie between the supports, above 0 and below 1");
+    bad(BASE "[damper a]\nposition = 1.5\n", "test:8: position: 1.5 is outside of 0 to 1");
+    bad(BASE "[damper a]\nposition = 0.5\ncoefficient = 1\n",
+        "test: [damper a] direction: is missing");
+    bad(BASE "[damper]\nposition = 0.5\ndirection = 0 0 0\ncoefficient = 1\n",
+        "test:9: direction: must not be zero");
+    bad(BASE "[damper]\nposition = 0.5\ndirection = 0 0 1\n",
+        "test: [damper] coefficient: is missing");
+    bad(BASE "[damper]\nposition = 0.5\ndirection = 0 0 1\ncoefficient = -1\n",
+        "test:10: coefficient: -1 is outside of 0 to 1e+18");
+}
+
+/* Keys of the model, with and without their sections; the defaults of a table's row. */
+static void model_keys(void **state)
+{
+    const char *item[] = {"cable.mass_per_length=3", "gravity.acceleration="};
+    struct opt_list sets = {item, 2};
+    (void)state;
+
+    assert_string_equal(case_model_key("span")->section, "supports");
+    assert_ptr_equal(case_model_key("span"), case_model_key("supports.span"));
+    assert_string_equal(case_model_key("load.wind")->name, "wind");
+    for (const char *const *name =
+             (const char *const[]){"cable.span", "", ".", ".span", "supports.", "spa", "spans",
+                                   "alpha", "damping.alpha", "time.end", "Span", "supports span",
+                                   "supports.span.", "support.span", NULL};
+         *name; name++)
+        assert_null(case_model_key(*name));
+    case_free(&c);
+    assert_int_equal(case_model_defaults(&sets, &c, &why), SW_OK);
+    assert_true(c.bare.mu == 3 && c.bare.g == 9.81 && c.elements == 20 && isnan(c.bare.L0));
+    assert_true(isnan(c.bare.span) && c.bare.drop == 0 && isnan(c.known.value[GIVEN_SAG]));
+    item[1] = "time.end=3";
+    assert_int_equal(case_model_defaults(&sets, &c, &why), SW_USAGE);
+    assert_string_equal(why.text, "--set time.end: belongs to no section of the model");
+    item[1] = "cable.colour=3";
+    assert_int_equal(case_model_defaults(&sets, &c, &why), SW_USAGE);
+    item[1] = "cable.area=x";
+    assert_int_equal(case_model_defaults(&sets, &c, &why), SW_USAGE);
+    assert_string_equal(why.text, "--set cable.area: 'x': not a number");
 }
 
 static void damping(void **state)
@@ -479,21 +690,65 @@ static void disturbance_refusals(void **state)
         "test:8: node: '0': the number is too small (expected 1 to 1000000)");
 }
 
+/* [motion] by a file, [force], [wind]: either-or, defaults, printing. */
+static void forces(void **state)
+{
+    (void)state;
+    good(BASE "[motion quake]\nfile = quake.csv\n[motion]\namplitude = 1 0 0\nomega = 2\n", NULL);
+    assert_int_equal(c.n_motions, 2);
+    assert_string_equal(c.motion_section[0].file, "quake.csv");
+    assert_true(c.motion[1].omega == 2 && c.motion_section[1].file[0] == '\0');
+    near_rel(c.time.output_every, PI / 50, 1e-15);
+    fixed_point();
+    bad(BASE "[motion]\nfile = a.csv\nomega = 2\n",
+        "test:8: file: give either a file, or amplitude and omega");
+    good(BASE "[force a]\nposition = all\nvalue = 1 2 3\nomega = 5\n"
+              "[force b]\nposition = 0.25\nfile = f.csv\n[load]\ntemperature_change = 100\n"
+              "expansion_coefficient = 1e-5\n",
+         NULL);
+    assert_int_equal(c.n_forces, 2);
+    assert_true(isnan(c.force[0].position) && c.force[0].phase == 0 && c.force[0].omega == 5);
+    near_rel(c.force[0].value[2], 3 / 1.001, 1e-15); /* per metre before expansion */
+    assert_true(c.force[1].position == 0.25 && isnan(c.force[1].omega));
+    near_rel(c.time.output_every, 2 * PI / 5 / 50, 1e-15);
+    fixed_point();
+    bad(BASE "[force]\nvalue = 1 2 3\n", "test: [force] position: is missing");
+    bad(BASE "[force]\nposition = 1\nvalue = 1 2 3\n",
+        "test:8: position: must lie between the supports, or be all");
+    bad(BASE "[force]\nposition = 0\nvalue = 1 2 3\n",
+        "test:8: position: 0 is outside of 1e-09 to 1");
+    bad(BASE "[force]\nposition = all\n", "test: [force] value: give either value or file");
+    bad(BASE "[force]\nposition = all\nvalue = 1 2 3\nfile = a\n",
+        "test:9: value: give either value or file");
+    bad(BASE "[force]\nposition = all\nfile = a\nomega = 3\n",
+        "test:10: omega: belongs to value, not to file");
+    bad(BASE "[force]\nposition = all\nvalue = 1 2 3\nphase = 3\n", "test:10: phase: needs omega");
+    good(BASE "[wind]\nspeed = 0 0 20\ndrag_coefficient = 1.2\ndiameter = 0.1\n", NULL);
+    assert_true(c.wind.density == 1.225 && c.wind.cd == 1.2);
+    fixed_point();
+    bad(BASE "[wind]\nspeed = 0 0 20\ndiameter = 0.1\n",
+        "test: [wind] drag_coefficient: is missing");
+    bad(BASE "[wind]\nair_density = 1\n", "test: [wind] speed: is missing");
+    good(BASE, NULL);
+    assert_false(c.wind.cd > 0);
+}
+
 static void time_refusals(void **state)
 {
-    static const char *const start[] = {"running",    "mode",      "mode 1",     "mode 0 1",
-                                        "mode 121 1", "mode 1 x",  "mode 1 1 1", "mode x 1",
-                                        "mode 1 nan", "modes 1 1", "static 1",   "mode1 1",
-                                        "rest 1"};
+    static const char *const start[] = {"mode",     "mode 1",     "mode 0 1", "mode 121 1",
+                                        "mode 1 x", "mode 1 1 1", "mode x 1", "mode 1 nan"};
     char text[512];
     (void)state;
 
     bad(BASE "[time]\nend = 0\n", "test:8: end: must be positive");
     for (size_t i = 0; i < sizeof start / sizeof *start; i++) {
         snprintf(text, sizeof text, "%s[time]\nstart = %s\n", BASE, start[i]);
-        bad(text, "test:8: start: expected static, rest, or mode K AMPLITUDE with a mode that the "
-                  "mesh has");
+        bad(text, "test:8: start: expected mode K AMPLITUDE with a mode that the mesh has");
     }
+    good(BASE "[time]\nstart = of yesterday.state\n", NULL);
+    assert_int_equal(c.time.start, START_STATE);
+    assert_string_equal(c.time.start_text, "of yesterday.state");
+    fixed_point();
     bad(BASE "[time]\nstart = rest\n[motion]\namplitude = 1 0 0\nomega = 1\n",
         "test:8: start: rest needs a ramp in each [motion]");
     bad(BASE "[nonlinear]\nterms = 4\n",
@@ -536,6 +791,10 @@ TEST_MAIN(cmocka_unit_test(defaults), cmocka_unit_test(output_interval),
           cmocka_unit_test(any_number_of_motions), cmocka_unit_test(disturbances),
           cmocka_unit_test(times), cmocka_unit_test(probes), cmocka_unit_test(sets),
           cmocka_unit_test(models), cmocka_unit_test(names), cmocka_unit_test(values),
-          cmocka_unit_test(missing), cmocka_unit_test(damping), cmocka_unit_test(motion_refusals),
-          cmocka_unit_test(disturbance_refusals), cmocka_unit_test(time_refusals),
-          cmocka_unit_test(files), cmocka_unit_test(memory))
+          cmocka_unit_test(missing), cmocka_unit_test(givens), cmocka_unit_test(branches),
+          cmocka_unit_test(frequencies), cmocka_unit_test(given_refusals),
+          cmocka_unit_test(too_short), cmocka_unit_test(loads), cmocka_unit_test(dampers),
+          cmocka_unit_test(model_keys), cmocka_unit_test(damping),
+          cmocka_unit_test(motion_refusals), cmocka_unit_test(disturbance_refusals),
+          cmocka_unit_test(forces), cmocka_unit_test(time_refusals), cmocka_unit_test(files),
+          cmocka_unit_test(memory))

@@ -238,6 +238,126 @@ static void length_and_balance(void **state)
     near_rel(p.tension, hypot(s.H, p.V), 1e-15);
 }
 
+/* A piece is a line of its own: its ends are points of the whole, it needs no other forces, and
+ * solved anew it is the same. */
+static void pieces(void **state)
+{
+    uint64_t seed = 31;
+    (void)state;
+
+    for (int i = 0; i < 2000; i++) {
+        struct cable c = random_cable(&seed);
+        struct line s, piece, again;
+        struct line_point a, b, p;
+        double from = uniform(&seed) * c.L0, to = from + uniform_in(&seed, 0.01, 1) * (c.L0 - from);
+        double size, least;
+
+        c.L0 = line_chord(&c) * uniform_in(&seed, 0.999, 3);
+        from = fmin(from, 0.9 * c.L0);
+        to = fmin(fmax(to, from + 0.01 * c.L0), c.L0);
+        assert_int_equal(line_solve(&c, &s), SW_OK);
+        size = 1e-14 * (line_chord(&c) + line_length(&s)); /* the subtraction below rounds */
+        line_at(&s, from, &a);
+        line_at(&s, to, &b);
+        line_piece(&s, from, to, &piece);
+        near_rel(piece.cable.L0, to - from, 0);
+        near_rel(piece.W, s.W * (to - from) / c.L0, 1e-14);
+        near_abs(piece.cable.span, b.x1 - a.x1, size);
+        near_abs(piece.cable.drop, b.x2 - a.x2, size);
+        near_abs(piece.V, a.V, 1e-14 * (s.W + fabs(s.V)));
+        line_at(&piece, (to - from) / 3, &p);
+        line_at(&s, from + (to - from) / 3, &b);
+        near_abs(a.x1 + p.x1, b.x1, size);
+        near_abs(a.x2 + p.x2, b.x2, size);
+        near_rel(p.tension, b.tension, 1e-12);
+        assert_int_equal(line_solve(&piece.cable, &again), SW_OK);
+        least = fmin(fabs(piece.H), c.EA);
+        /* the piece's length and chord round, which a stiff cable feels */
+        near_abs(again.H, piece.H, 1e-11 * least + 1e-13 * c.EA);
+    }
+}
+
+/* The whole cable as its own piece: to the last digits. */
+static void whole_piece(void **state)
+{
+    struct line s, piece;
+    (void)state;
+
+    assert_int_equal(line_solve(&seil2, &s), SW_OK);
+    line_piece(&s, 0, seil2.L0, &piece);
+    near_rel(piece.cable.span, seil2.span, 1e-14);
+    near_abs(piece.cable.drop, 0, 1e-14 * seil2.span);
+    near_rel(piece.H, s.H, 0);
+    near_rel(piece.V, s.V, 0);
+}
+
+/* Below the chord: the difference of places, the deepest of many; there the tangent lies along the
+ * chord. */
+static void below_the_chord(void **state)
+{
+    uint64_t seed = 32;
+    (void)state;
+
+    for (int i = 0; i < 2000; i++) {
+        struct cable c = random_cable(&seed);
+        struct line s;
+        struct line_point p;
+        double deepest, most, size;
+        int n = 200;
+
+        c.L0 = line_chord(&c) * uniform_in(&seed, 0.999, 3);
+        assert_int_equal(line_solve(&c, &s), SW_OK);
+        deepest = line_deepest(&s);
+        /* steep: the chord's height over a point is uncertain by drop/span times its place */
+        size = 1e-14 * (line_length(&s) + line_chord(&c)) * line_chord(&c) / c.span;
+        assert_true(deepest > 0 && deepest < c.L0);
+        most = line_below_chord(&s, deepest);
+        assert_true(most > 0);
+        for (int k = 1; k < n; k++) {
+            double below_chord = line_below_chord(&s, c.L0 * k / n);
+
+            line_at(&s, c.L0 * k / n, &p);
+            near_abs(below_chord, p.x2 - p.x1 * (c.drop / c.span), size);
+            assert_true(below_chord <= most * (1 + 1e-12));
+        }
+        line_at(&s, deepest, &p);
+        near_abs(p.V / s.H, c.drop / c.span, 1e-12 * (1 + s.W / s.H + fabs(c.drop) / c.span));
+        near_rel(line_sag(&s), line_below_chord(&s, c.L0 / 2), 0);
+    }
+}
+
+/* Tauter than the places can tell: w x (l - x)/(2 H), where the difference of places is round-off
+ * only.  Deepest at half span, and of a weightless cable at half length. */
+static void sag_of_taut_cables(void **state)
+{
+    const struct cable taut = {100, 1e-9, 1e5, 9.81, 101, 0};
+    struct cable weightless = taut;
+    struct line s;
+    (void)state;
+
+    assert_int_equal(line_solve(&taut, &s), SW_OK);
+    for (double part = 0.1; part < 1; part += 0.2) /* W/H = 1e-9: its square is lost */
+        near_rel(line_below_chord(&s, part * 100), s.W * 101 * part * (1 - part) / 2 / s.H, 1e-13);
+    near_rel(line_deepest(&s), 50, 1e-6); /* V of 1e-9 H, known to its 16 digits of H */
+    weightless.g = 0;
+    assert_int_equal(line_solve(&weightless, &s), SW_OK);
+    near_abs(line_sag(&s), 0, 0);
+    assert_true(line_deepest(&s) == 50);
+}
+
+/* An inextensible level catenary: H/w (cosh(v) - cosh(v - w x/H)) at the arc length of x. */
+static void sag_of_the_catenary(void **state)
+{
+    const double v = 1.3; /* w l/(2 H), H = w = 1 */
+    const struct cable c = {2 * sinh(v), 1, 1e13, 1, 2 * v, 0};
+    struct line s;
+    (void)state;
+
+    assert_int_equal(line_solve(&c, &s), SW_OK);
+    for (double x = 0.2; x < 2 * v - 0.1; x += 0.3)
+        near_rel(line_below_chord(&s, sinh(v) - sinh(v - x)), cosh(v) - cosh(v - x), 1e-11);
+}
+
 /* Turned end for end: the same reactions, exchanged.  Metres to millimetres: the same digits. */
 static void symmetries(void **state)
 {
@@ -278,5 +398,7 @@ TEST_MAIN(cmocka_unit_test(random_cables_close), cmocka_unit_test(soft_cables),
           cmocka_unit_test(published_numbers), cmocka_unit_test(points_of_a109),
           cmocka_unit_test(stiffness_by_differences), cmocka_unit_test(stiffness_across),
           cmocka_unit_test(stiffness_of_the_catenary), cmocka_unit_test(without_gravity),
-          cmocka_unit_test(length_and_balance), cmocka_unit_test(symmetries),
-          cmocka_unit_test(inadmissible_is_refused))
+          cmocka_unit_test(length_and_balance), cmocka_unit_test(pieces),
+          cmocka_unit_test(whole_piece), cmocka_unit_test(below_the_chord),
+          cmocka_unit_test(sag_of_taut_cables), cmocka_unit_test(sag_of_the_catenary),
+          cmocka_unit_test(symmetries), cmocka_unit_test(inadmissible_is_refused))

@@ -34,7 +34,7 @@ static struct march in_mode(const struct model *m, int i, double fraction, doubl
     modes_unit_shape(m, &p, i, V);
     modes_free(&p);
     assert_int_equal(march_new(m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, NULL), SW_OK);
     return a;
 }
 
@@ -119,7 +119,7 @@ static void order_two(void **state)
         double V[ALL] = {0};
 
         assert_int_equal(march_new(&m, &o, &a), SW_OK);
-        assert_int_equal(march_start(&a, V), SW_OK);
+        assert_int_equal(march_start(&a, V, NULL), SW_OK);
         while (a.step < 3000 * divisor[k])
             step(&a);
         v[k] = a.V[MID + 4];
@@ -170,7 +170,7 @@ static void equation_417(void **state)
     cut(&m, &A, &Ap);
     assert_int_equal(band_cholesky(&Ap.free, &F), SW_OK);
     assert_int_equal(march_new(&m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, now), SW_OK);
+    assert_int_equal(march_start(&a, now, NULL), SW_OK);
     for (int i = 0; i < n; i++)
         past[i] = a.V[keep[i]] - a.D[keep[i]];
     for (int i = 0; i < n; i++)
@@ -236,7 +236,7 @@ static void rayleigh_decay(void **state)
     rate = (o.alpha + o.beta * omega * omega) / 2;
     period = 2 * PI / sqrt(omega * omega - rate * rate);
     assert_int_equal(march_new(&m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, NULL), SW_OK);
     first = a.V[MID + 4];
     while (march_time(&a) < 20 * period - a.options.dt / 2)
         step(&a); /* stops within half a step of an extreme: cos > 1 - (omega dt)^2/8 */
@@ -268,7 +268,7 @@ static void support_forces(void **state)
     motion_sum(&still, 1, 0, b, NULL, NULL);
     assert_int_equal(model_equilibrium(&m, 3, b, V), SW_OK);
     assert_int_equal(march_new(&m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, NULL), SW_OK);
     assert_int_equal(march_solve(&a), SW_OK);
     march_support_force(&a, f);
     moved.span = hypot(c.span + b[3], b[5]);
@@ -313,7 +313,7 @@ static void kicks(void **state)
     for (int i = 0; i < ALL; i++)
         shape[i] = 1;
     assert_int_equal(march_new(&m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, NULL), SW_OK);
     D = a.D[MID + 4];
     march_kick(&a, KICK_DISPLACEMENT, 0.01, shape);
     near_abs(a.V[MID + 4], 0.01, 1e-17);
@@ -344,7 +344,7 @@ static void critical_step(void **state)
         assert_int_equal(march_new(&m, &o, &a), SW_OK);
         if (k < 2)
             a.omega_max = 0; /* the watch asleep */
-        assert_int_equal(march_start(&a, V), SW_OK);
+        assert_int_equal(march_start(&a, V, NULL), SW_OK);
         for (int i = 0; i < 20000 && s == SW_OK; i++) {
             s = march_solve(&a);
             march_advance(&a);
@@ -376,7 +376,7 @@ static void stretched_beyond_the_bound(void **state)
 
     pull.amplitude[0] = -12; /* -12 cos(t + pi/2) = 12 sin t */
     assert_int_equal(march_new(&m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, NULL), SW_OK);
     while (s == SW_OK && march_time(&a) < 2) {
         s = march_solve(&a);
         march_advance(&a);
@@ -403,7 +403,7 @@ static void slack_is_noticed(void **state)
     (void)state;
 
     assert_int_equal(march_new(&m, &o, &a), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, NULL), SW_OK);
     while (march_time(&a) < 0.6)
         step(&a);
     assert_true(a.slack_time > 0 && a.slack_time < 0.3);
@@ -444,7 +444,7 @@ static void pont_de_ben_ahin(void **state)
 
         assert_int_equal(march_new(&m, &o, &a), SW_OK);
         assert_int_equal(model_equilibrium(&m, 3, b, V), SW_OK);
-        assert_int_equal(march_start(&a, V), SW_OK);
+        assert_int_equal(march_start(&a, V, NULL), SW_OK);
         early = largest(&a, 2, 0, 20);
         late = largest(&a, 2, 60, 120);
         print_message("# law %d: |v2| %.3f m in 20 s, %.3f m after 60 s\n", law, early, late);
@@ -477,7 +477,7 @@ static void seil2_point_a(void **state)
     modes_unit_shape(&m, &p, 0, shape);
     assert_int_equal(march_new(&m, &o, &a), SW_OK);
     assert_int_equal(model_equilibrium(&m, 3, b, V), SW_OK);
-    assert_int_equal(march_start(&a, V), SW_OK);
+    assert_int_equal(march_start(&a, V, NULL), SW_OK);
     near_abs(largest(&a, 4, 0, 5), 0, 0);
     march_kick(&a, KICK_DISPLACEMENT, 0.02, shape);
     largest(&a, 4, 5, 200);
@@ -504,7 +504,7 @@ static void memory_runs_out(void **state)
         if (s == SW_OK)
             s = march_new(&m, &o, &a);
         if (s == SW_OK) {
-            s = march_start(&a, V);
+            s = march_start(&a, V, NULL);
             march_free(&a);
         }
         assert_true(s == SW_OK || s == SW_NOMEM);

@@ -201,7 +201,7 @@ static void run_both(const struct model *m, const struct march_options *o, doubl
     reference_new(m, o, &r);
     assert_int_equal(march_new(m, o, &a), SW_OK);
     reference_start(&r, V0);
-    assert_int_equal(march_start(&a, V0), SW_OK);
+    assert_int_equal(march_start(&a, V0, NULL), SW_OK);
     *apart = *force_apart = 0;
     for (int k = 0; k <= STEPS; k++) {
         reference_solve(&r);
