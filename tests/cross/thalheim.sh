@@ -149,6 +149,27 @@ for size in 0.02 0.1 0.3; do
     meets 'near("half_v2", 0.496, 0.02)' "SEIL1 5.80, $size m: the motion in the plane stays"
 done
 
+# But once it whirls at 5.15 it is still on the same branch when the frequency has risen to 5.80, by
+# 0.001 rad/s2 from 100 to 750 s, and stays there.
+awk 'BEGIN {
+    print "time_s,u1_m,u2_m,u3_m"
+    for (i = 0; i <= 45000; i++) {
+        t = i*0.02
+        s = t < 100 ? 0 : t < 750 ? t - 100 : 650
+        after = t > 750 ? t - 750 : 0
+        printf "%.15g,%.15g,0,0\n", t, 0.05*cos(5.15*t + 0.001*(s*s/2 + 650*after))
+    }
+}' >"$scratch/sweep.csv"
+sed '/^\[motion deck\]/,/^$/d' "$seil1" >"$scratch/sweep.ini"
+printf '[motion deck]\nfile = sweep.csv\n' >>"$scratch/sweep.ini"
+runs 0 'SEIL1 swept to 5.80: runs' diffverf --set time.end=880 --set time.output_every=0.02 \
+    "$scratch/sweep.ini"
+"$top/scripts/orbit" 5.80 $periods <"$scratch/out" >"$scratch/orbit"
+sed 's/^/# /' "$scratch/orbit"
+within 0.4 0.9 "$(largest v3_1_m 90 100)" 'SEIL1 swept to 5.80: whirls at 5.15'
+meets 'v("half_v2") > 1 && v("half_v3") > 1 && v("minor_half_axis") > 1' \
+    'SEIL1 swept to 5.80: whirls with more than 1 m'
+
 # Point A: the same limit cycle whenever and however it is begun.
 for begin in '0.02 5' '0.1 17.3' '0.3 40'; do
     size=${begin% *}
