@@ -101,13 +101,14 @@ range_row()
         }' "$dir/response-printed.csv" "$dir/response.csv"
 }
 
-# orbit_rows OMEGA TIME: the ellipse that midspan draws in its last periods, and how far v3 goes over
-# how far v2 goes, by both laws; TIME in words.
+# orbit_rows OMEGA TIME: the ellipse that midspan draws in its last periods, and how far v3 goes
+# over how far v2 goes, by both laws; TIME in words.
 orbit_rows()
 {
     for response in response-printed response; do
-        "$here/../../orbit" "$1" <"$dir/$response.csv" |
-            awk -F, -v time="$2" -v by="$([ $response = response ] && echo "$law" || echo law printed)" '
+        by=$law
+        [ $response = response ] || by='law printed'
+        "$here/../../orbit" "$1" <"$dir/$response.csv" | awk -F, -v time="$2" -v by="$by" '
             NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
             {
                 tilt = $column["tilt_deg"]

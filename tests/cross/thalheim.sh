@@ -100,9 +100,9 @@ within()
     ok $got "$4"
 }
 
-# dies SIZE TIME NAME: a lateral disturbance of SIZE at TIME was there and has gone at the end.  Alone
-# the mode would decay by 2/(alpha + beta omega^2) = 20 s (SEIL1) and 11 s (SEIL2), so to 1e-6 in
-# these runs; a motion in the plane near the border of instability slows that down.
+# dies SIZE TIME NAME: a lateral disturbance of SIZE at TIME was there and has gone at the end.
+# Alone the mode decays by e in 2/(alpha + beta omega^2) = 21 s (SEIL1) and 11 s (SEIL2), so to
+# 1e-6 in these runs; a motion in the plane near the border of instability slows that down.
 dies()
 {
     half=$(awk -v size="$1" 'BEGIN { print size/2 }')
