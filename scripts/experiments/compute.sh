@@ -101,4 +101,25 @@ range_row()
         }' "$dir/response-printed.csv" "$dir/response.csv"
 }
 
+# orbit_rows OMEGA TIME: the ellipse that midspan draws in its last periods, and how far v3 goes
+# over how far v2 goes, by both laws; TIME in words.
+orbit_rows()
+{
+    for response in response-printed response; do
+        by=$law
+        [ $response = response ] || by='law printed'
+        "$here/../../orbit" "$1" <"$dir/$response.csv" | awk -F, -v time="$2" -v by="$by" '
+            NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+            {
+                tilt = $column["tilt_deg"]
+                v2 = $column["greatest_v2_m"] - $column["least_v2_m"]
+                v3 = $column["greatest_v3_m"] - $column["least_v3_m"]
+                printf "longer half axis %s,%s,%s\n", time, by, $column["half_axis_m"]
+                printf "shorter half axis %s,%s,%s\n", time, by, $column["minor_half_axis_m"]
+                printf "angle to the vertical %s,%s,%.6g\n", time, by, tilt < 0 ? -tilt : tilt
+                printf "v3/v2 %s,%s,%.8g\n", time, by, v3/v2
+            }'
+    done
+}
+
 echo quantity,by,computed

@@ -36,6 +36,16 @@ about()
     basename "$(cd "$(dirname "$1")" && pwd)" | tr "'" ' '
 }
 
+# place CASE PROBE: "0.5 L0", where the resolved case says that the probe is, or "probe 1".
+place()
+{
+    [ -z "$1" ] || at=$(awk -v probe="$2" '
+        /^\[/ { here = $1 == "[time]" }
+        here && $1 == "probes" && probe + 2 <= NF { printf "%.3g L0", $(probe + 2) }' "$1")
+    echo "${at:-probe $2}"
+    at=
+}
+
 # draw: the commands on stdin make the picture; it is written when it is complete.
 draw()
 {

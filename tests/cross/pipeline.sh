@@ -130,6 +130,9 @@ runs 2 'plot/line: no table' "$top/scripts/plot/line" "$scratch/case.ini" "$scra
 runs 2 'plot/response: no table' \
     "$top/scripts/plot/response" "$scratch/case.ini" "$scratch/none.png"
 runs 2 'plot/path: no such probe' "$top/scripts/plot/path" "$scratch/file" 3 "$scratch/none.png"
+runs 2 'plot/path: no such case' "$top/scripts/plot/path" -c "$scratch/none.ini" "$scratch/file" \
+    "$scratch/none.png"
+runs 2 'plot/response: -c without a case' "$top/scripts/plot/response" -c "$scratch/file"
 runs 2 'plot/modes: no directory' "$top/scripts/plot/modes" "$scratch" "$scratch/none.png"
 [ ! -e "$scratch/none.png" ]
 ok $? 'no picture without data'
@@ -188,7 +191,7 @@ judge_run "$scratch/straight" 'straight'
 # The demo: a law printed with all digits of the published frequencies, the other numbers near.
 runs 0 'demo' "$top/scripts/demo" "$scratch/demo"
 cp "$scratch/out" "$scratch/demo.txt"
-for experiment in ben-ahin seil1-parametric seil2-whirl; do
+for experiment in ben-ahin seil1-parametric seil1-whirl seil2-ellipse seil2-whirl; do
     [ -s "$scratch/demo/$experiment/comparison.txt" ]
     ok $? "demo: comparison of $experiment"
     [ "$(grep -c "^omega [0-9]* .* = .*FEM\$" "$scratch/demo/$experiment/comparison.txt")" -eq 17 ]
@@ -202,8 +205,17 @@ ok $? 'demo: the lateral limit cycle in all published digits, by both laws'
 awk '/^from side to side/ { for (i = 1; i <= NF; i++) if ($i ~ /e-0/) n += $i*$i < 9e-4 } END { exit n != 2 }' \
     "$scratch/demo.txt"
 ok $? 'demo: the parametric vibration of 2.40 m within 3 %, by both laws'
+[ "$(grep -c '^v3/v2 after 180 s .* within .* within ' "$scratch/demo.txt")" -eq 1 ]
+ok $? 'demo: the inclined ellipse of SEIL2, by both laws'
+# the last columns name the number of an independent program; laws differ by 1 per cent
+awk '/ an independent program: / {
+        for (i = 1; i < NF; i++)
+            if ($i ~ /^[0-9]+[.][0-9]+$/) { n++; if (!(($i/$NF - 1)^2 < 0.02^2)) bad = 1 }
+    }
+    END { exit bad || n != 12 }' "$scratch/demo.txt"
+ok $? 'demo: whirling ellipses beside those of an independent program'
 grep -o "$scratch/demo/[^ ]*png" "$scratch/demo.txt" >"$scratch/pictures"
-[ "$(wc -l <"$scratch/pictures")" -eq 12 ] && xargs ls <"$scratch/pictures" >/dev/null
+[ "$(wc -l <"$scratch/pictures")" -eq 20 ] && xargs ls <"$scratch/pictures" >/dev/null
 ok $? 'demo: lists its pictures'
 
 finish
