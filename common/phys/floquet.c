@@ -183,37 +183,40 @@ static void name_modes(const struct parametric *p, const double *x, int k, int p
         ret->partner = -1;
 }
 
-/* One group of coupled modes. */
+/* One group of coupled modes.  The error of the modulus has even orders from the fourth on: two
+ * numbers of steps give an extrapolated one, which must stand still. */
 static enum status solve_group(const struct parametric *p, double Omega, double kappa,
                                double tolerance, struct floquet *ret)
 {
     size_t n = 2 * (size_t)p->s;
-    double *re = mem_doubles(n), *im = mem_doubles(n), *x = mem_doubles(n * n), before = NAN;
-    enum status s = re && im && x ? SW_NOCONV : SW_NOMEM;
+    double *re = mem_doubles(n), *im = mem_doubles(n), *x = mem_doubles(n * n);
+    double modulus = NAN, limit = NAN, T = 2 * PI / Omega;
+    int k = 0, steps = ret->steps > 16 ? ret->steps / 4 : 4;
+    enum status s = re && im && x ? SW_OK : SW_NOMEM;
 
-    for (int steps = 4; s == SW_NOCONV && steps <= MOST_STEPS; steps *= 2) {
-        enum status solved = floquet_multipliers(p, Omega, kappa, steps, re, im, x);
-        int k = solved == SW_OK ? largest((int)n, re, im) : 0;
-        double modulus = solved == SW_OK ? hypot(re[k], im[k]) : NAN;
+    for (int done = 0; s == SW_OK && !done; steps *= 2) {
+        double before = modulus, last = limit;
 
-        if (solved != SW_OK)
-            s = solved;
-        /* the error falls by 16: what is left is a fifteenth of the change */
-        else if (fabs(modulus - before) <= 15 * tolerance * modulus) {
-            *ret = (struct floquet){modulus,
-                                    log(modulus) * Omega / (2 * PI),
-                                    re[k],
-                                    im[k],
-                                    im[k] > 1e-6 * modulus ? CROSSING_COMBINATION
-                                    : re[k] > 0            ? CROSSING_T
-                                                           : CROSSING_2T,
-                                    -1,
-                                    -1,
-                                    steps};
-            name_modes(p, x, k, im[k] > 0, ret);
-            s = SW_OK;
-        }
-        before = modulus;
+        s = floquet_multipliers(p, Omega, kappa, steps, re, im, x);
+        if (s != SW_OK)
+            break;
+        k = largest((int)n, re, im);
+        modulus = hypot(re[k], im[k]);
+        limit = (16 * modulus - before) / 15;
+        done = fabs(limit - last) <= tolerance * modulus;
+        if (!done && steps >= MOST_STEPS)
+            s = SW_NOCONV;
+    }
+    if (s == SW_OK) {
+        *ret = (struct floquet){.modulus = limit,
+                                .growth = log(limit) / T,
+                                .re = re[k],
+                                .im = im[k],
+                                .crossing = im[k] > 1e-6 * modulus ? CROSSING_COMBINATION
+                                            : re[k] > 0            ? CROSSING_T
+                                                                   : CROSSING_2T,
+                                .steps = steps / 2};
+        name_modes(p, x, k, im[k] > 0, ret);
     }
     free(re);
     free(im);
@@ -226,12 +229,13 @@ enum status floquet_solve(const struct parametric *p, double Omega, double kappa
 {
     int *group = mem_zeroed(2 * (size_t)p->s, sizeof *group);
     int *mode = group + p->s, groups = group ? parametric_groups(p, group) : 0;
+    int hint = ret->steps;
     enum status s = group ? SW_OK : SW_NOMEM;
 
     ret->modulus = -1;
     for (int i = 0; i < groups && s == SW_OK; i++) {
         struct parametric part;
-        struct floquet f = {.modulus = -1};
+        struct floquet f = {.modulus = -1, .steps = hint};
 
         s = parametric_group(p, group, i, &part, mode);
         if (s == SW_OK)

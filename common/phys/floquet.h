@@ -2,7 +2,8 @@
  * Floquet multipliers of the projected equations over one period T = 2 pi/Omega.
  *
  * The monodromy matrix is composed of exact flows of the damped modes and kicks by the parametric
- * terms, fourth order (Suzuki); steps are halved until the largest multiplier stands still.
+ * terms, fourth order (Suzuki); steps are halved until the largest multiplier, extrapolated to
+ * none, stands still.
  */
 #ifndef SEILWERK_PHYS_FLOQUET_H
 #define SEILWERK_PHYS_FLOQUET_H
@@ -20,13 +21,13 @@ struct floquet {
     int steps;              /* a period */
 };
 
-/* kappa [m]; tolerance: of the multiplier, relative.  SW_NOCONV: not reached with 2^16 steps;
- * SW_NOMEM. */
+/* kappa [m]; tolerance: of the multiplier, relative; ret->steps before the call: those to begin
+ * with, e.g. of a neighbour, or 0.  SW_NOCONV: not reached with 2^16 steps; SW_NOMEM. */
 enum status floquet_solve(const struct parametric *p, double Omega, double kappa, double tolerance,
                           struct floquet *ret);
 
-/* All multipliers by the given number of steps: re, im (2 s) and vectors x (2 s, 2 s) as of
- * dense_general: displacements, then velocities. */
+/* All multipliers by the given number of steps: re, im (2 s) and vectors x (2 s, 2 s) or NULL, as
+ * of dense_general: displacements, then velocities. */
 enum status floquet_multipliers(const struct parametric *p, double Omega, double kappa, int steps,
                                 double *re, double *im, double *x);
 
