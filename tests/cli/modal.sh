@@ -95,6 +95,8 @@ runs 0 'modal --shapes 1200' modal --shapes 1200 --set mesh.elements=200 stay.in
 awk -F, 'NR > 1 { if (!($2^2 + $3^2 + $4^2 <= 1)) bad = 1; if ($5^2 > t) t = $5^2 }
     END { EA = 2.1e11*8.26e-3; h = 110.1897/200; exit bad || !(t < (20*EA/h)^2 && t > (2*EA/h)^2) }' out
 ok $? 'a mode between the nodes has its largest displacement there'
+runs 0 'modal --shapes of one element' modal --shapes 1,2 --set mesh.elements=1 stay.ini
+holds 'abs(f[101, 4] - 1) < 1e-9 && abs(f[101, 7] - 1) < 1e-6' out 'its modes are positive, too'
 runs 2 'shapes and columns' modal --shapes 1 --irvine stay.ini
 
 # Dampers.
