@@ -53,13 +53,25 @@ static struct modes modes;
 static struct damper_basis damping;
 static int printed; /* modes of the result; the damped problem takes in more */
 
-/* Whole numbers with commas between them, in [1, max]; returns how many, at most room. */
-static int read_list(const char *text, long max, int room, int *ret)
-{
-    char copy[400], *rest = copy, *word;
-    int n = 0;
+/* Modes of --shapes, from 1. */
+static struct {
+    int mode[MAX_SHAPES];
+    int n;
+} shapes;
 
-    if (snprintf(copy, sizeof copy, "%s", text) >= (int)sizeof copy)
+/* A sweep over the coefficient of the one damper. */
+static struct {
+    double from, to; /* [N s/m] */
+    int n;
+} sweep;
+
+/* Fill shapes from the option: whole numbers with commas between them. */
+static void read_shapes(void)
+{
+    long all = 6L * c.elements, max = args.modes > 0 && args.modes < all ? args.modes : all;
+    char copy[400], *rest = copy, *word;
+
+    if (snprintf(copy, sizeof copy, "%s", args.shapes) >= (int)sizeof copy)
         die(SW_USAGE, "option --shapes: the list is too long");
     while ((word = strsep(&rest, ","))) {
         long value;
@@ -68,14 +80,35 @@ static int read_list(const char *text, long max, int room, int *ret)
         if (reason)
             die(SW_USAGE, "option --shapes: '%s': %s (expected modes from 1 to %ld)", word, reason,
                 max);
-        if (n == room)
-            die(SW_USAGE, "option --shapes: more than %d modes", room);
-        for (int i = 0; i < n; i++)
-            if (ret[i] == value)
+        if (shapes.n == MAX_SHAPES)
+            die(SW_USAGE, "option --shapes: more than %d modes", MAX_SHAPES);
+        for (int i = 0; i < shapes.n; i++)
+            if (shapes.mode[i] == value)
                 die(SW_USAGE, "option --shapes: mode %ld stands in the list twice", value);
-        ret[n++] = (int)value;
+        shapes.mode[shapes.n++] = (int)value;
     }
-    return n;
+}
+
+/* Fill sweep from the option. */
+static void read_sweep(void)
+{
+    char copy[200], *word[3], *rest = copy;
+    long n = 0;
+    int bad = snprintf(copy, sizeof copy, "%s", args.sweep) >= (int)sizeof copy;
+
+    for (int i = 0; i < 3; i++)
+        word[i] = strsep(&rest, ",");
+    if (bad || !word[2] || rest || number_read(word[0], &sweep.from) ||
+        number_read(word[1], &sweep.to) || integer_read(word[2], 2, 100000, &n) ||
+        !(sweep.from > 0 && sweep.from < sweep.to && sweep.to <= 1e18))
+        die(SW_USAGE,
+            "option --damper-sweep: '%s': FROM,TO,N is expected: 0 < FROM < TO in N s/m, and from "
+            "2 to 100000 coefficients",
+            args.sweep);
+    if (c.n_dampers != 1)
+        die(SW_USAGE, "option --damper-sweep: the case has %d dampers; one [damper] is expected",
+            c.n_dampers);
+    sweep.n = (int)n;
 }
 
 static enum solver solver(void)
@@ -193,26 +226,39 @@ static void solve_damped(const struct damper *d)
         die(s, "complex modes: %s", status_text(s));
 }
 
+/* Largest displacement of V at the printed points or, as a mode may move between them only, at the
+ * quarters of the elements. */
+static double largest(const double *V, int points)
+{
+    int each = points / c.elements;
+    int n = each < 4 ? 4 * points : points;
+    double most = 0;
+
+    for (int p = 0; p <= n; p++) {
+        double v[3];
+
+        model_probe(&model, (double)p / n, V, v, NULL);
+        most = fmax(most, sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+    }
+    return most;
+}
+
 /* Modes as lines of points, the largest displacement of each 1 m. */
 static void print_shapes(struct out *o)
 {
-    int list[MAX_SHAPES], n = read_list(args.shapes, printed, MAX_SHAPES, list);
-    int points = (SHAPE_POINTS + c.elements - 1) / c.elements * c.elements;
-    double *V[MAX_SHAPES], most[MAX_SHAPES] = {0}, row[1 + 4 * MAX_SHAPES];
+    int n = shapes.n, points = (SHAPE_POINTS + c.elements - 1) / c.elements * c.elements;
+    double *V[MAX_SHAPES], most[MAX_SHAPES], row[1 + 4 * MAX_SHAPES];
 
     fputs("theta_m", o->f);
     for (int i = 0; i < n; i++) {
-        fprintf(o->f, ",v1_%d_m,v2_%d_m,v3_%d_m,tension_%d_N", list[i], list[i], list[i], list[i]);
+        int mode = shapes.mode[i];
+
+        fprintf(o->f, ",v1_%d_m,v2_%d_m,v3_%d_m,tension_%d_N", mode, mode, mode, mode);
         V[i] = model_vector(&model);
         if (!V[i])
             die(SW_NOMEM, "%s", status_text(SW_NOMEM));
-        modes_shape(&model, &modes, list[i] - 1, V[i]);
-        for (int p = 0; p <= points; p++) {
-            double v[3], change;
-
-            model_probe_small(&model, (double)p / points, V[i], v, &change);
-            most[i] = fmax(most[i], sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
-        }
+        modes_shape(&model, &modes, mode - 1, V[i]);
+        most[i] = largest(V[i], points);
     }
     putc('\n', o->f);
     for (int p = 0; p <= points; p++) {
@@ -230,40 +276,12 @@ static void print_shapes(struct out *o)
         free(V[i]);
 }
 
-/* A sweep over the coefficient of the one damper. */
-struct sweep {
-    double from, to;
-    int n;
-};
-
-static struct sweep read_sweep(void)
-{
-    char copy[200], *word[3] = {NULL, NULL, NULL}, *rest = NULL;
-    struct sweep w;
-    long n = 0;
-
-    snprintf(copy, sizeof copy, "%s", args.sweep);
-    word[0] = strtok_r(copy, ",", &rest);
-    for (int i = 1; i < 3 && word[i - 1]; i++)
-        word[i] = strtok_r(NULL, ",", &rest);
-    if (!word[2] || strtok_r(NULL, ",", &rest) || number_read(word[0], &w.from) ||
-        number_read(word[1], &w.to) || integer_read(word[2], 2, 100000, &n) ||
-        !(w.from > 0 && w.from < w.to && w.to <= 1e18))
-        die(SW_USAGE,
-            "option --damper-sweep: '%s': FROM,TO,N is expected: 0 < FROM < TO in N s/m, and from "
-            "2 to 100000 coefficients",
-            args.sweep);
-    if (c.n_dampers != 1)
-        die(SW_USAGE, "option --damper-sweep: the case has %d dampers; one [damper] is expected",
-            c.n_dampers);
-    w.n = (int)n;
-    return w;
-}
-
 /* Coefficient i of the sweep: equal ratios between them. */
-static double coefficient_at(const struct sweep *w, int i)
+static double coefficient_at(int i)
 {
-    return i == w->n - 1 ? w->to : w->from * pow(w->to / w->from, (double)i / (w->n - 1));
+    double ratio = sweep.to / sweep.from;
+
+    return i == sweep.n - 1 ? sweep.to : sweep.from * pow(ratio, (double)i / (sweep.n - 1));
 }
 
 static void print_swept(int mode, double coefficient, int best, struct out *o)
@@ -279,17 +297,17 @@ static void print_swept(int mode, double coefficient, int best, struct out *o)
 
 /* The best coefficient for a mode, number at of the sweep being the best of its own: a row if it
  * lies inside of the sweep. */
-static void print_best(const struct sweep *w, int mode, int at, struct out *o)
+static void print_best(int mode, int at, struct out *o)
 {
     struct damper d = c.damper[0];
     enum status s;
 
-    if (at == 0 || at == w->n - 1) {
+    if (at == 0 || at == sweep.n - 1) {
         warn("mode %d: the best coefficient lies beyond those of the sweep", mode + 1);
         return;
     }
-    s = damper_best(&damping, c.alpha, c.beta, mode, coefficient_at(w, at - 1),
-                    coefficient_at(w, at + 1), &d);
+    s = damper_best(&damping, c.alpha, c.beta, mode, coefficient_at(at - 1), coefficient_at(at + 1),
+                    &d);
     if (s != SW_OK)
         die(s, "complex modes: %s", status_text(s));
     solve_damped(&d);
@@ -298,7 +316,6 @@ static void print_best(const struct sweep *w, int mode, int at, struct out *o)
 
 static void print_sweep(struct out *o)
 {
-    const struct sweep w = read_sweep();
     struct damper d = c.damper[0];
     struct {
         double most, least;
@@ -308,8 +325,8 @@ static void print_sweep(struct out *o)
     fputs("mode,coefficient_N_s_m,damped_omega_rad_s,damped_frequency_Hz,decay_1_s,damped_ratio,"
           "best\n",
           o->f);
-    for (int i = 0; i < w.n && !out_failed(o); i++) {
-        d.coefficient = coefficient_at(&w, i);
+    for (int i = 0; i < sweep.n && !out_failed(o); i++) {
+        d.coefficient = coefficient_at(i);
         solve_damped(&d);
         for (int k = 0; k < printed; k++) {
             double ratio = damper_ratio(&damping, k);
@@ -320,14 +337,26 @@ static void print_sweep(struct out *o)
             }
             if (i == 0 || ratio < seen[k].least)
                 seen[k].least = ratio;
-            print_swept(k, coefficient_at(&w, i), 0, o);
+            print_swept(k, d.coefficient, 0, o);
         }
-        progress((double)i / w.n, "modal");
+        progress((double)i / sweep.n, "modal");
     }
     progress_end();
     for (int k = 0; k < printed; k++)
         if (seen[k].most > seen[k].least + 1e-9)
-            print_best(&w, k, seen[k].at, o);
+            print_best(k, seen[k].at, o);
+}
+
+/* How many modes the result needs if --modes does not say it. */
+static int modes_needed(int all)
+{
+    int most = 1;
+
+    for (int i = 0; i < shapes.n; i++)
+        most = shapes.mode[i] > most ? shapes.mode[i] : most;
+    if (args.shapes && !args.common.dir) /* a model directory holds all of them */
+        return most;
+    return args.sweep && all > MODES_SWEPT ? MODES_SWEPT : all;
 }
 
 /* How many modes are printed, and how many are found for that. */
@@ -337,11 +366,10 @@ static int modes_wanted(void)
 
     if (args.modes > all)
         die(SW_USAGE, "option --modes: the mesh has only %d modes", all);
-    printed = args.modes > 0                    ? (int)args.modes
-              : args.sweep && all > MODES_SWEPT ? MODES_SWEPT
-                                                : all;
+    printed = args.modes > 0 ? (int)args.modes : modes_needed(all);
     if (damped && printed > MODES_DAMPED)
-        die(SW_USAGE, "damping is computed for up to %d modes at once: give --modes", MODES_DAMPED);
+        die(SW_USAGE, "damping is computed for up to %d modes at once: give --modes %d or less",
+            MODES_DAMPED, MODES_DAMPED);
     return damped && printed + MODES_MORE < all ? printed + MODES_MORE : damped ? all : printed;
 }
 
@@ -352,6 +380,10 @@ static void judge_options(void)
     if ((args.shapes || args.sweep) && (args.irvine || args.participation || args.damped))
         die(SW_USAGE, "--irvine, --participation and --damped add to the table of modes, which "
                       "--shapes and --damper-sweep replace");
+    if (args.shapes)
+        read_shapes();
+    if (args.sweep)
+        read_sweep();
 }
 
 static void find_damping(void)

@@ -53,8 +53,8 @@ int section_labelled(const struct reading *r, const char *name);
 enum status keys_judge_names(const struct reading *r);
 
 /* All keys of one section (with its label) into base: given ones, else defaults; numbers without
- * default become NAN, whole numbers and words -1, texts
- * empty.  SW_FORMAT or SW_USAGE, with line. */
+ * default become NAN, whole numbers and words -1, texts empty.  SW_FORMAT or SW_USAGE, with line.
+ */
 enum status keys_take(const struct reading *r, const char *section, void *base);
 
 /* One key from text (NULL: its default) into base.  SW_FORMAT with "name: what is wrong". */
@@ -68,8 +68,7 @@ enum status keys_fail(const struct reading *r, const char *section, const char *
                       const char *text);
 
 /* Print heading (a section with its label) and its keys from base; what is NAN, -1 or empty is left
- * out.
- */
+ * out. */
 void keys_print(const struct key *keys, int n_keys, const char *heading, const void *base,
                 struct out *o);
 

@@ -4,6 +4,7 @@
 
 #include <arpack/arpack.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,6 +18,8 @@ void dseupd_(const int *rvec, const char *howmny, int *select, double *d, double
 
 #define MAX_RESTARTS 300
 #define TOLERANCE 1e-12 /* of each 1/lambda, and so of the residual of its vector */
+
+#define MOST_VECTORS 46336 /* ARPACK counts its work array, v (v + 8), in an int */
 
 /* What the reverse communication works on. */
 struct run {
@@ -58,6 +61,8 @@ static enum status run_new(const struct band *K, const struct band *M, int k, st
 
     *r = (struct run){.M = M, .n = K->n, .k = k, .vectors = vectors_for(k, K->n)};
     vectors = (size_t)r->vectors;
+    if (vectors > MOST_VECTORS)
+        return SW_NOMEM;
     r->resid = mem_doubles(n);
     r->basis = mem_doubles(n * vectors);
     r->workd = mem_doubles(3 * n);
@@ -87,7 +92,7 @@ static void apply(const struct run *r, const double *x, double *y)
 /* The same start in each run: smooth modes and those of a single place alike are in it. */
 static void start(struct run *r)
 {
-    unsigned long state = 88172645463325252UL;
+    uint64_t state = 88172645463325252;
 
     for (int i = 0; i < r->n; i++) {
         state ^= state << 13;

@@ -16,7 +16,7 @@ int lanczos_most(int n);
  * 1 <= k <= lanczos_most(n).  Largest eigenvalues of C^{-1} M C^{-T}, K = C C^T, to 1e-12.
  * Memory: about 2 k + 10 vectors besides x; time n k^2.
  *
- * SW_NOMEM; SW_INDEFINITE if K is not positive definite; SW_NOCONV.
+ * SW_NOMEM, also where k is above 23163; SW_INDEFINITE if K is not positive definite; SW_NOCONV.
  */
 enum status lanczos_lowest(const struct band *K, const struct band *M, int k, double *lambda,
                            double *x);

@@ -61,7 +61,7 @@ static void add_pieces(const struct line *s, const double *place, int count, dou
 void damper_direction(const struct damper *d, const struct axes *axes, double ret[3])
 {
     const double *x = d->direction;
-    double size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    double size = hypot(hypot(x[0], x[1]), x[2]);
     const double unit[3] = {x[0] / size, x[1] / size, x[2] / size};
 
     axes_to_plane(axes, unit, ret);

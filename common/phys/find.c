@@ -153,14 +153,23 @@ static double next_place(const struct search *f, double s, double *step)
     return next;
 }
 
+/* Whether nothing loads the cable; wind and weight may balance. */
+static int is_weightless(const struct search *f)
+{
+    struct cable hung;
+    struct axes axes;
+
+    load_apply(f->c, f->load, &hung, &axes);
+    return hung.g == 0;
+}
+
 /*
  * Go from taut to slack in growing steps until the wanted crossing lies between two of them.  A
  * weightless cable is only ever stretched.
  */
 static int find_bracket(struct search *f, double strain, struct bracket *ret)
 {
-    int weightless = f->c->g == 0 && load_is_calm(f->load);
-    int crossings = 0, wanted = f->known->slack ? 2 : 1;
+    int weightless = is_weightless(f), crossings = 0, wanted = f->known->slack ? 2 : 1;
     double s[3] = {0, 0, -strain}, v[3] = {NAN, NAN, excess(-strain, f)}, step = strain / 2;
 
     while (f->failed == SW_OK) {

@@ -1,6 +1,7 @@
 /* Uniform loads: the cable in the plane of its load. */
 #include "phys/load.h"
 
+#include <float.h>
 #include <math.h>
 
 static double dot(const double a[3], const double b[3])
@@ -45,6 +46,8 @@ void load_apply(const struct cable *c, const struct load *load, struct cable *re
     size = hypot(hypot(p[0], p[2]), p[1]);
     if (load_is_calm(load))
         return; /* gravity as given, to the last digit and however small */
+    if (size <= 8 * DBL_EPSILON * (mass * c->g + hypot(hypot(p[0], p[2]), load->wind[1])))
+        size = 0; /* balanced; the rest is round-off and no direction */
     ret->g = size / mass;
     if (size == 0 || (p[0] == 0 && p[2] == 0 && p[1] > 0))
         return;

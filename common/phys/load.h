@@ -26,7 +26,8 @@ struct axes {
 /*
  * The cable that hangs in its plane as c does under the load: length after expansion, mass with
  * ice, gravity for the whole force, span and drop across and along it.  Masses and forces per metre
- * count on the length before expansion.  Without wind the axes are x1, x2, x3 themselves.
+ * count on the length before expansion.  Without wind the axes are x1, x2, x3 themselves, and where
+ * wind and weight balance but for round-off, gravity being 0 then.
  */
 void load_apply(const struct cable *c, const struct load *load, struct cable *ret,
                 struct axes *ret_axes);

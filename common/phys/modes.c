@@ -86,16 +86,18 @@ static void gather(const struct model *m, const double *V, double *phi)
 
 /*
  * The sign that makes the largest displacement component positive, the axes being those of space.
- * Displacements of node k >= 1 stand at 6 k - 3 and every second place after it.
+ * Displacements of node k >= 1 stand at 6 k - 3 and every second place after it.  A single element
+ * has no such node: the slopes at its left end, which come first, tell.
  */
 static double sign_of(const struct model *m, const double *phi)
 {
     double most = 0, sign = 1;
-    int looked_for = 0;
+    int looked_for = 0, single = m->n == 1, step = single ? 1 : 2;
 
     for (int pass = 0; pass < 2; pass++)
-        for (int k = 1; k < m->n && !looked_for; k++) {
-            const double *at = phi + 6 * (size_t)k - 3, v[3] = {at[0], at[2], at[4]};
+        for (int k = 1; k < m->n + single && !looked_for; k++) {
+            const double *at = single ? phi : phi + 6 * (size_t)k - 3;
+            const double v[3] = {at[0], at[step], at[2 * step]};
             double x[3];
 
             axes_to_space(&m->axes, v, x);

@@ -3,7 +3,7 @@
  *
  * Modes count from 0 here (from 1 for users), in order of frequency.  Vectors hold the N = 6 n free
  * unknowns in ascending order.  A mode's sign: its largest displacement component is positive (the
- * first one of several that are equal to 1e-6).
+ * first one of several that are equal to 1e-6); of a single element, its largest slope at the left.
  */
 #ifndef SEILWERK_PHYS_MODES_H
 #define SEILWERK_PHYS_MODES_H

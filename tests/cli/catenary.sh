@@ -298,7 +298,8 @@ sed 1d err >messages
 cat >wanted <<END
 catenary: bad.csv:3: column 2: span: 'nan': not a number
 catenary: bad.csv:4: 3 cells; the header has 6
-catenary: bad.csv:5: 7 cells; the header has 6
+catenary: bad.csv:5: 7 cells; the header has 6 (a decimal comma, or a text with commas that is not \
+quoted?)
 catenary: bad.csv:7: span: is missing
 catenary: bad.csv:8: column 2: span: '100,5': a decimal point is expected, not a comma
 catenary: bad.csv:9: a quote is wrong: a cell is either quoted as a whole, with "" for a quote \

@@ -84,6 +84,19 @@ holds 'f[101, 5] > 0 && f[101, 9] == 0' out \
 for list in 0 61 1,x '' 1,, 2,1,2 1-3; do
     runs 2 "modal --shapes '$list'" modal --shapes "$list" stay.ini
 done
+[ ! -e dir ] && runs 2 'modal -d --shapes 61' modal -d dir --shapes 61 stay.ini
+[ ! -e dir ]
+ok $? 'a wrong list leaves no model directory'
+runs 2 'modal --modes 3 --shapes 4' modal --modes 3 --shapes 4 stay.ini
+runs 0 'modal --shapes of a large mesh' modal --shapes 2 --set mesh.elements=5000 stay.ini
+holds 'n == 5001 && abs(f[2501, 3] - 1) < 1e-9' out 'without --modes it finds as many as it needs'
+# The last mode of a mesh moves between its nodes only.
+runs 0 'modal --shapes 1200' modal --shapes 1200 --set mesh.elements=200 stay.ini
+awk -F, 'NR > 1 { if (!($2^2 + $3^2 + $4^2 <= 1)) bad = 1; if ($5^2 > t) t = $5^2 }
+    END { EA = 2.1e11*8.26e-3; h = 110.1897/200; exit bad || !(t < (20*EA/h)^2 && t > (2*EA/h)^2) }' out
+ok $? 'a mode between the nodes has its largest displacement there'
+runs 0 'modal --shapes of one element' modal --shapes 1,2 --set mesh.elements=1 stay.ini
+holds 'abs(f[101, 4] - 1) < 1e-9 && abs(f[101, 7] - 1) < 1e-6' out 'its modes are positive, too'
 runs 2 'shapes and columns' modal --shapes 1 --irvine stay.ini
 
 # Dampers.
@@ -102,8 +115,8 @@ ok $? 'modal --damper-sweep: the universal curve, and the best coefficient of ea
 runs 0 'a sweep that stops short' modal --damper-sweep 1e3,1e4,5 --modes 2 string.ini
 says 'best coefficient lies beyond' 'says so'
 holds 'n == 10' out 'and has no best row'
-for text in 1 1,2 1,2,1 2,1,5 0,1,5 a,1,5 1,2,5,6 1,2,3.5; do
-    runs 2 "modal --damper-sweep $text" modal --damper-sweep $text string.ini
+for text in 1 1,2 1,2,1 2,1,5 0,1,5 a,1,5 1,2,5,6 1,2,3.5 1,,2,3 1,2,3, "$(printf %0201d,2,3 1)"; do
+    runs 2 "modal --damper-sweep $(echo $text | cut -c1-20)" modal --damper-sweep $text string.ini
     says 'FROM,TO,N is expected' 'is told'
 done
 runs 2 'a sweep without damper' modal --damper-sweep 1,2,3 stay.ini

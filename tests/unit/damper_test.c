@@ -297,6 +297,24 @@ static void several(void **state)
     free(V);
 }
 
+/* A direction of any size. */
+static void direction(void **state)
+{
+    static const double size[] = {1e-320, 1e-200, 1e-3, 1, 1e9, 1e200};
+    const struct axes plain = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    (void)state;
+
+    for (int i = 0; i < 6; i++) {
+        const struct damper d = {0.5, {0, -size[i], size[i]}, 1};
+        double unit[3];
+
+        damper_direction(&d, &plain, unit);
+        near_abs(unit[0], 0, 0);
+        near_rel(unit[1], -sqrt(0.5), i == 0 ? 1e-3 : 1e-15);
+        near_rel(unit[2], sqrt(0.5), i == 0 ? 1e-3 : 1e-15);
+    }
+}
+
 static void memory_runs_out(void **state)
 {
     const struct damper d[2] = {{0.1, {0, 1, 0}, 9}, {0.2, {0, 0, 1}, 4}};
@@ -326,4 +344,4 @@ static void memory_runs_out(void **state)
 
 TEST_MAIN(cmocka_unit_test(exact_string), cmocka_unit_test(universal_curve),
           cmocka_unit_test(limits), cmocka_unit_test(flexibility), cmocka_unit_test(rayleigh),
-          cmocka_unit_test(several), cmocka_unit_test(memory_runs_out))
+          cmocka_unit_test(several), cmocka_unit_test(direction), cmocka_unit_test(memory_runs_out))

@@ -288,14 +288,17 @@ static void closed_sags(void **state)
 /* A cable without gravity carries EA (chord/L0 - 1). */
 static void weightless(void **state)
 {
-    struct cable c = {.mu = 2, .EA = 1e6, .span = 80, .drop = 60};
+    struct cable c = {.mu = 2, .EA = 1e6, .span = 80, .drop = 60}, lifted = c;
+    const struct load balance = {.ice = 37, .wind = {0, -382.59, 0}};
     struct known k = {.value = 1234.5};
     double L0, least;
     (void)state;
 
+    lifted.g = 9.81;
     for (int i = GIVEN_MIDSPAN; i <= GIVEN_RIGHT; i++) {
         k.given = (enum given)i;
         near_rel(find(&c, &none, &k), 100 / (1 + 1234.5e-6), 1e-14);
+        near_rel(find(&lifted, &balance, &k), 100 / (1 + 1234.5e-6), 1e-14);
     }
     k.given = GIVEN_HORIZONTAL;
     near_rel(find(&c, &none, &k), 100 / (1 + 1234.5e-6 / 0.8), 1e-14);

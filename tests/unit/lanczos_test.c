@@ -231,6 +231,7 @@ static void one_part(void **state)
 
 static void too_many(void **state)
 {
+    const struct band huge = {.n = 60000};
     struct model m;
     struct modes p;
     (void)state;
@@ -246,6 +247,7 @@ static void too_many(void **state)
     assert_int_equal(model_new(&pont, LAW_HOOKE, MODES_MAX_ELEMENTS + 1, &m), SW_OK);
     assert_int_equal(modes_lowest(&m, 1, SOLVER_DENSE, &p), SW_ADMISSIBLE);
     model_free(&m);
+    assert_int_equal(lanczos_lowest(&huge, &huge, 23164, NULL, NULL), SW_NOMEM);
 }
 
 static void memory_runs_out(void **state)

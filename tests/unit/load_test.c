@@ -296,11 +296,15 @@ static void degenerate(void **state)
 {
     const struct load balanced = {.wind = {0, -seil1.mu * seil1.g, 0}};
     const struct load along = {.wind = {5, 0, 0}};
+    const struct cable thirty_five = {421, 35, 2e8, 9.81, 380, 125};
+    const struct load all_but = {.ice = 4, .wind = {0, -382.59, 0}};
     struct cable weightless = seil1, c;
     struct axes a;
     (void)state;
 
     load_apply(&seil1, &balanced, &c, &a);
+    assert_true(c.g == 0 && axes_are_plain(&a));
+    load_apply(&thirty_five, &all_but, &c, &a); /* 39*9.81 is no 382.59 */
     assert_true(c.g == 0 && axes_are_plain(&a));
     weightless.g = 0;
     load_apply(&weightless, &along, &c, &a);
