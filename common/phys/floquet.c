@@ -33,17 +33,25 @@ static void oscillator(double w, double c, double h, double E[4])
     E[3] = fade * (C - c / 2 * S);
 }
 
-/* Rows q_k, v_k of all columns of Y (2 s, 2 s), row by row. */
-static void flow(const struct parametric *p, double h, double *Y)
+/* Y (2 s, 2 s) stands row by row, each filled up to whole groups of four columns. */
+typedef double lanes __attribute__((vector_size(32), aligned(8), may_alias));
+
+static int groups_of(int s)
 {
-    int s = p->s, columns = 2 * s;
+    return (2 * s + 3) / 4;
+}
 
-    for (int k = 0; k < s; k++) {
-        double E[4], *q = Y + columns * k, *v = Y + columns * (s + k);
+/* Rows q_k, v_k of all columns of Y; E: 4 s numbers of oscillator(). */
+static INLINE_BODY void flow(int s, const double *E, double *Y)
+{
+    int groups = groups_of(s);
+    lanes *y = (lanes *)Y;
 
-        oscillator(p->omega[k], p->c[k], h, E);
-        for (int j = 0; j < columns; j++) {
-            double old = q[j];
+    for (int k = 0; k < s; k++, E += 4) {
+        lanes *q = y + groups * k, *v = y + groups * (s + k);
+
+        for (int j = 0; j < groups; j++) {
+            lanes old = q[j];
 
             q[j] = E[0] * old + E[1] * v[j];
             v[j] = E[2] * old + E[3] * v[j];
@@ -54,16 +62,16 @@ static void flow(const struct parametric *p, double h, double *Y)
 /* v -= h B q. */
 static INLINE_BODY void subtract(int s, double h, const double *B, double *Y)
 {
-    int columns = 2 * s;
+    int groups = groups_of(s);
+    lanes *y = (lanes *)Y;
 
-    for (int i = 0; i < s; i++)
-        for (int k = 0; k < s; k++) {
-            double b = h * B[i + s * k];
-            double *v = Y + columns * (s + i);
-            const double *q = Y + columns * k;
+    for (int j = 0; j < groups; j++)
+        for (int i = 0; i < s; i++) {
+            lanes sum = h * B[i] * y[j];
 
-            for (int j = 0; j < columns; j++)
-                v[j] -= b * q[j];
+            for (int k = 1; k < s; k++)
+                sum += h * B[i + s * k] * y[groups * k + j];
+            y[groups * (s + i) + j] -= sum;
         }
 }
 
@@ -75,6 +83,24 @@ static void subtract_plain(int s, double h, const double *B, double *Y)
 FOR_AVX2 static void subtract_avx2(int s, double h, const double *B, double *Y)
 {
     subtract(s, h, B, Y);
+}
+
+static void flow_plain(int s, const double *E, double *Y)
+{
+    flow(s, E, Y);
+}
+
+FOR_AVX2 static void flow_avx2(int s, const double *E, double *Y)
+{
+    flow(s, E, Y);
+}
+
+static void run_flow(int s, const double *E, double *Y)
+{
+    if (has_avx2())
+        flow_avx2(s, E, Y);
+    else
+        flow_plain(s, E, Y);
 }
 
 /* v -= h B(t) q; B: s s places of work. */
@@ -96,49 +122,82 @@ static void kick(const struct parametric *p, double Omega, double kappa, double 
         subtract_plain(s, h, B, Y);
 }
 
-/* Y := monodromy matrix, row by row, by fourth-order steps of five symmetric ones each. */
-static void monodromy(const struct parametric *p, double Omega, double kappa, int steps, double *B,
-                      double *Y)
+/*
+ * Y := monodromy matrix, row by row, by fourth-order steps of five symmetric ones each: flow over
+ * half a part, kick, flow.  Flows that meet are one, so that there are three lengths of them: half
+ * an outer part, a whole one, and half an outer with half the inner part.  work: s s + 12 s.
+ */
+static void monodromy(const struct parametric *p, double Omega, double kappa, int steps,
+                      double *work, double *Y)
 {
     const double outer = 1 / (4 - cbrt(4)), inner = 1 - 4 * outer;
     const double part[5] = {outer, outer, inner, outer, outer};
-    double h = 2 * PI / Omega / steps, t = 0, pending = 0;
-    int columns = 2 * p->s;
+    const double length[3] = {outer / 2, outer, (outer + inner) / 2};
+    const int before[5] = {1, 1, 2, 2, 1}; /* which flow comes before the kick */
+    double h = 2 * PI / Omega / steps, t = 0, *E = work, *B = work + 12 * p->s;
+    int s = p->s, stride = 4 * groups_of(s);
 
-    memset(Y, 0, sizeof *Y * (size_t)columns * (size_t)columns);
-    for (int i = 0; i < columns; i++)
-        Y[i + columns * i] = 1;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < s; k++)
+            oscillator(p->omega[k], p->c[k], length[i] * h, E + 4 * (s * i + k));
+    memset(Y, 0, sizeof *Y * 2 * (size_t)s * (size_t)stride);
+    for (int i = 0; i < 2 * s; i++)
+        Y[i + stride * i] = 1;
     for (int k = 0; k < steps; k++)
         for (int i = 0; i < 5; i++) {
-            double step = part[i] * h;
-
-            flow(p, pending + step / 2, Y);
-            t += step / 2;
-            kick(p, Omega, kappa, t, step, B, Y);
-            t += step / 2;
-            pending = step / 2;
+            run_flow(s, E + 4 * s * (k == 0 && i == 0 ? 0 : before[i]), Y);
+            t += part[i] * h / 2;
+            kick(p, Omega, kappa, t, part[i] * h, B, Y);
+            t += part[i] * h / 2;
         }
-    flow(p, pending, Y);
+    run_flow(s, E, Y);
+}
+
+/* Work space of one group: monodromy matrix row by row and column by column, and the rest. */
+struct work {
+    double *rows, *A, *steps;
+};
+
+static enum status work_new(int modes, struct work *w)
+{
+    size_t s = (size_t)modes, n = 2 * s;
+
+    w->rows = mem_doubles(4 * n * (size_t)groups_of(modes));
+    w->A = mem_doubles(n * n);
+    w->steps = mem_doubles(s * s + 12 * s);
+    return w->rows && w->A && w->steps ? SW_OK : SW_NOMEM;
+}
+
+static void work_free(struct work *w)
+{
+    free(w->rows);
+    free(w->A);
+    free(w->steps);
+}
+
+/* Eigenvalues, and vectors unless x is NULL, of the matrix in w->rows. */
+static enum status eigen(int s, struct work *w, double *re, double *im, double *x)
+{
+    int n = 2 * s, stride = 4 * groups_of(s);
+
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            w->A[i + n * j] = w->rows[j + stride * i];
+    return dense_general(n, w->A, re, im, x);
 }
 
 enum status floquet_multipliers(const struct parametric *p, double Omega, double kappa, int steps,
                                 double *re, double *im, double *x)
 {
-    size_t s = (size_t)p->s, n = 2 * s;
-    double *B = mem_doubles(s * s), *Y = mem_doubles(n * n), *A = mem_doubles(n * n);
-    enum status status = SW_NOMEM;
+    struct work w;
+    enum status s = work_new(p->s, &w);
 
-    if (B && Y && A) {
-        monodromy(p, Omega, kappa, steps, B, Y);
-        for (size_t i = 0; i < n; i++)
-            for (size_t j = 0; j < n; j++)
-                A[i + n * j] = Y[j + n * i];
-        status = dense_general((int)n, A, re, im, x);
+    if (s == SW_OK) {
+        monodromy(p, Omega, kappa, steps, w.steps, w.rows);
+        s = eigen(p->s, &w, re, im, x);
     }
-    free(B);
-    free(Y);
-    free(A);
-    return status;
+    work_free(&w);
+    return s;
 }
 
 /* The largest multiplier, of equal ones the one with im >= 0 that comes first. */
@@ -192,12 +251,17 @@ static enum status solve_group(const struct parametric *p, double Omega, double 
     double *re = mem_doubles(n), *im = mem_doubles(n), *x = mem_doubles(n * n);
     double modulus = NAN, limit = NAN, T = 2 * PI / Omega;
     int k = 0, steps = ret->steps > 16 ? ret->steps / 4 : 4;
-    enum status s = re && im && x ? SW_OK : SW_NOMEM;
+    struct work w;
+    enum status s = work_new(p->s, &w);
+
+    if (!re || !im || !x)
+        s = SW_NOMEM;
 
     for (int done = 0; s == SW_OK && !done; steps *= 2) {
         double before = modulus, last = limit;
 
-        s = floquet_multipliers(p, Omega, kappa, steps, re, im, x);
+        monodromy(p, Omega, kappa, steps, w.steps, w.rows);
+        s = eigen(p->s, &w, re, im, NULL);
         if (s != SW_OK)
             break;
         k = largest((int)n, re, im);
@@ -207,7 +271,10 @@ static enum status solve_group(const struct parametric *p, double Omega, double 
         if (!done && steps >= MOST_STEPS)
             s = SW_NOCONV;
     }
+    if (s == SW_OK)
+        s = eigen(p->s, &w, re, im, x);
     if (s == SW_OK) {
+        k = largest((int)n, re, im);
         *ret = (struct floquet){.modulus = limit,
                                 .growth = log(limit) / T,
                                 .re = re[k],
@@ -218,6 +285,7 @@ static enum status solve_group(const struct parametric *p, double Omega, double 
                                 .steps = steps / 2};
         name_modes(p, x, k, im[k] > 0, ret);
     }
+    work_free(&w);
     free(re);
     free(im);
     free(x);

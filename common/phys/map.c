@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TOLERANCE 1e-8 /* of multipliers */
+#define TOLERANCE_GRID 1e-6   /* of multipliers that are printed */
+#define TOLERANCE_TRACE 1e-10 /* of those whose crossing of 1 is looked for */
 
 enum status map_new(const struct model *m, const struct modes *p, const int *mode, int s,
                     double ground_alpha, double ground_beta, struct map *ret)
@@ -92,7 +93,7 @@ static enum status boundaries(const struct parametric *p, const struct map_task 
 /* Logarithm of the largest modulus at an amplitude. */
 struct crossing_search {
     const struct parametric *p;
-    double Omega;
+    double Omega, tolerance;
     struct floquet last;
 };
 
@@ -100,7 +101,7 @@ static double log_modulus(double kappa, void *context)
 {
     struct crossing_search *c = context;
 
-    if (floquet_solve(c->p, c->Omega, kappa, TOLERANCE, &c->last) != SW_OK)
+    if (floquet_solve(c->p, c->Omega, kappa, c->tolerance, &c->last) != SW_OK)
         return NAN;
     return log(c->last.modulus);
 }
@@ -109,7 +110,9 @@ static double log_modulus(double kappa, void *context)
 static enum status multipliers(const struct parametric *p, const struct map_task *t, double ratio,
                                double Omega, struct map_rows *ret)
 {
-    struct crossing_search c = {.p = p, .Omega = Omega};
+    struct crossing_search c = {.p = p,
+                                .Omega = Omega,
+                                .tolerance = t->trace ? TOLERANCE_TRACE : TOLERANCE_GRID};
     long count = lround(floor((t->to - t->from) / t->step * (1 + 1e-12)));
     double before = NAN, last = NAN;
 
