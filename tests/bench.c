@@ -5,6 +5,7 @@
  * figure is the median of several runs; machines are noisy: compare ratios.
  */
 #include "num/mem.h"
+#include "phys/map.h"
 #include "phys/march.h"
 #include "phys/modes.h"
 #include "sys/number.h"
@@ -191,6 +192,57 @@ static double lanczos_time(int n)
     return now() - t;
 }
 
+/* Seconds of a map of SEIL2 between ratios 0.4 and 1.2, in one thread. */
+static double map_time(const struct map_task *t, int count, int s, double sideways)
+{
+    static const int mode[12] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+    struct model m;
+    struct modes p;
+    struct map map;
+    double *ratio = checked(mem_doubles((size_t)count)), start;
+    struct map_rows *rows = checked(mem_zeroed((size_t)count, sizeof *rows));
+
+    expect(model_new(&seil2, LAW_HOOKE, 10, &m));
+    expect(modes_lowest(&m, 12, SOLVER_DENSE, &p));
+    start = now();
+    expect(map_new(&m, &p, mode, s, 0.1095, 3.5e-3, &map));
+    map.alpha = 0.1095;
+    map.beta = 3.5e-3;
+    map.reference = p.omega[0];
+    map.theory = THEORY_INDIFFERENCE;
+    map.b[3] = 1;
+    map.b[5] = sideways;
+    for (int i = 0; i < count; i++)
+        ratio[i] = 0.4 + 0.8 * i / (count - 1);
+    map_rows(&map, t, ratio, count, 1, rows);
+    start = now() - start;
+    for (int i = 0; i < count; i++) {
+        expect(rows[i].status);
+        map_rows_free(&rows[i]);
+    }
+    free(rows);
+    free(ratio);
+    map_free(&map);
+    modes_free(&p);
+    model_free(&m);
+    return start;
+}
+
+static double bolotin_time(int sideways)
+{
+    static const struct map_task t = {.harmonics = 9, .to = 1};
+
+    return map_time(&t, 1000, 8, sideways);
+}
+
+static double floquet_time(int modes)
+{
+    int side = modes == 12 ? 100 : 200;
+    const struct map_task t = {.floquet = 1, .to = 0.1, .step = 0.1 / (side - 1)};
+
+    return map_time(&t, side, modes, 0);
+}
+
 #define TABLE "seilwerk-bench.csv"
 
 /* Rows a second of catenary --table, reading and printing included: n random cables in a file. */
@@ -277,14 +329,6 @@ int main(void)
     report("catenary --table: rows read and printed", median(table_rate, 200000), "1/s",
            1e5 * scale, 1);
     report("number printed", median(print_time, 1000000), "ns", 150 / scale, 0);
-    for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
-        snprintf(what, sizeof what, "diffverf, all terms, beta > 0, n = %d", meshes[i]);
-        report(what, median(march_rate, meshes[i]), "el-st/s", 6e6 * scale, 1);
-    }
-    for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
-        snprintf(what, sizeof what, "diffverf, all terms, beta = 0, n = %d", meshes[i]);
-        report(what, median(mass_rate, meshes[i]), "el-st/s", 1.2e7 * scale, 1);
-    }
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         snprintf(what, sizeof what, "modal, all modes, n = %d", sizes[i]);
         report(what, median(modes_time, sizes[i]), "ms", wanted_ms[i] / scale, 0);
@@ -297,6 +341,18 @@ int main(void)
     }
     getrusage(RUSAGE_SELF, &usage);
     report("memory for this", (double)usage.ru_maxrss / 1024, "MB", 1500, 0);
+    for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
+        snprintf(what, sizeof what, "diffverf, all terms, beta > 0, n = %d", meshes[i]);
+        report(what, median(march_rate, meshes[i]), "el-st/s", 6e6 * scale, 1);
+    }
+    for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
+        snprintf(what, sizeof what, "diffverf, all terms, beta = 0, n = %d", meshes[i]);
+        report(what, median(mass_rate, meshes[i]), "el-st/s", 1.2e7 * scale, 1);
+    }
+    report("stabil, 1000 frequencies, 8 modes", median(bolotin_time, 0), "s", 3 / scale, 0);
+    report("stabil, the same, skew motion", median(bolotin_time, 1), "s", 6 / scale, 0);
+    report("stabil, Floquet 100 x 100, 12 modes", median(floquet_time, 12), "s", 3 / scale, 0);
+    report("stabil, Floquet 200 x 200, 4 modes", median(floquet_time, 4), "s", 3 / scale, 0);
     report("triad, 3 x 160 MB", median(triad, 20000000), "GB/s", 0, 1);
     return 0;
 }
