@@ -12,7 +12,7 @@
 
 static struct {
     struct opt_common common;
-    int growth, trace, answers, resume;
+    int growth, trace, change, answers, resume;
     long threads;
 } args = {.threads = 1};
 
@@ -24,6 +24,8 @@ static const struct opt options[] = {
      0},
     {"trace", 0, OPT_FLAG, &args.trace, NULL, "floquet: curves of the boundaries, not the grid", 0,
      0},
+    {"change", 0, OPT_FLAG, &args.change, NULL,
+     "bolotin: add how much the last two harmonics change", 0, 0},
     {"answers", 0, OPT_FLAG, &args.answers, NULL,
      "bolotin: smallest amplitude of each region, and damping that is enough", 0, 0},
     {"resume", 0, OPT_FLAG, &args.resume, NULL, "go on where -o FILE was stopped", 0, 0},
@@ -146,8 +148,13 @@ static struct map_task task(void)
 {
     const struct stability *p = &c.stability;
 
-    return (struct map_task){is_floquet(),       args.trace,       p->harmonics,
-                             p->amplitude_start, p->amplitude_end, p->amplitude_step};
+    return (struct map_task){.floquet = is_floquet(),
+                             .trace = args.trace,
+                             .harmonics = p->harmonics,
+                             .change = args.change,
+                             .from = p->amplitude_start,
+                             .to = p->amplitude_end,
+                             .step = p->amplitude_step};
 }
 
 static const char *amplitude_name(void)
@@ -159,7 +166,9 @@ static void print_header(struct out *o)
 {
     fprintf(o->f, "ratio,omega_rad_s,%s,", amplitude_name());
     if (!is_floquet())
-        fputs("period,mode,partner,order,share\n", o->f);
+        fputs(args.change ? "period,mode,partner,order,share,change\n"
+                          : "period,mode,partner,order,share\n",
+              o->f);
     else if (args.growth || args.trace)
         fputs("multiplier,growth_1_s,crossing,mode,partner\n", o->f);
     else
@@ -190,6 +199,10 @@ static void print_row(const struct map_row *r, struct out *o)
         print_mode(r->boundary.partner, o);
         fprintf(o->f, ",%d,", r->boundary.order);
         out_number(o, r->boundary.share);
+        if (args.change)
+            putc(',', o->f);
+        if (args.change && !isnan(r->boundary.change))
+            out_number(o, r->boundary.change);
     } else {
         out_number(o, r->floquet.modulus);
     }
@@ -293,8 +306,8 @@ static void judge_options(void)
 {
     if ((args.growth || args.trace) && !is_floquet())
         die(SW_USAGE, "--growth and --trace belong to stability.method = floquet");
-    if (args.answers && is_floquet())
-        die(SW_USAGE, "--answers belongs to stability.method = bolotin");
+    if ((args.answers || args.change) && is_floquet())
+        die(SW_USAGE, "--answers and --change belong to stability.method = bolotin");
     if (args.answers && args.resume)
         die(SW_USAGE, "--answers has nothing to go on from");
 }

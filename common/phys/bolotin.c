@@ -201,6 +201,7 @@ static enum status solve_group(const struct parametric *p, const int *mode, doub
         if (!(re[k] > 0 && fabs(im[k]) < 1e-7 * re[k] && kappa <= most) || *ret_n == room)
             continue;
         ret[*ret_n].kappa = kappa;
+        ret[*ret_n].change = NAN;
         name_modes(&l, x + order * k + (p->quadratic ? l.n : 0), &ret[*ret_n]);
         ret[*ret_n].mode = mode[ret[*ret_n].mode];
         if (ret[*ret_n].partner >= 0)
@@ -233,5 +234,26 @@ enum status bolotin_solve(const struct parametric *p, double Omega, int period, 
     if (s == SW_OK)
         qsort(ret, (size_t)*ret_n, sizeof *ret, ascending);
     free(group);
+    return s;
+}
+
+enum status bolotin_change(const struct parametric *p, double Omega, int period, int harmonics,
+                           struct boundary *points, int n)
+{
+    int room = 4 * p->s * (harmonics + 1), m = 0;
+    struct boundary *coarse = mem_zeroed((size_t)room, sizeof *coarse);
+    enum status s = coarse ? SW_OK : SW_NOMEM;
+
+    if (s == SW_OK && harmonics > 2)
+        s = bolotin_solve(p, Omega, period, harmonics - 2, INFINITY, coarse, room, &m);
+    for (int i = 0; i < n && s == SW_OK; i++)
+        for (int k = 0; k < m; k++) {
+            double change = fabs(coarse[k].kappa / points[i].kappa - 1);
+
+            if (coarse[k].mode == points[i].mode && coarse[k].order == points[i].order &&
+                !(change >= points[i].change))
+                points[i].change = change;
+        }
+    free(coarse);
     return s;
 }

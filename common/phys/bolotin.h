@@ -12,11 +12,12 @@
 #include "phys/parametric.h"
 
 struct boundary {
-    double kappa; /* [m] */
-    int mode;     /* of the system, from 0, that has the largest share in y */
-    int partner;  /* a second one with more than a tenth of it, or -1 */
-    int order;    /* harmonic j of the largest share of that mode */
-    double share; /* of the first mode, 0 to 1 */
+    double kappa;  /* [m] */
+    int mode;      /* of the system, from 0, that has the largest share in y */
+    int partner;   /* a second one with more than a tenth of it, or -1 */
+    int order;     /* harmonic j of the largest share of that mode */
+    double share;  /* of the first mode, 0 to 1 */
+    double change; /* of kappa, relative, against two harmonics less; NAN: not asked for, or none */
 };
 
 /*
@@ -26,5 +27,9 @@ struct boundary {
  */
 enum status bolotin_solve(const struct parametric *p, double Omega, int period, int harmonics,
                           double most, struct boundary *ret, int room, int *ret_n);
+
+/* bolotin_solve once more with two harmonics less, for the change of each of the n points found. */
+enum status bolotin_change(const struct parametric *p, double Omega, int period, int harmonics,
+                           struct boundary *points, int n);
 
 #endif

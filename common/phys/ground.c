@@ -5,6 +5,38 @@
 
 #include <stdlib.h>
 
+/* Rows and columns keep[] of A in a band of their own half bandwidth. */
+static enum status take_part(const struct band *A, const int *keep, int n, int kd, struct band *ret)
+{
+    if (band_new(n, kd, ret) != SW_OK)
+        return SW_NOMEM;
+    for (int j = 0; j < n; j++)
+        for (int i = j; i < n && i - j <= kd; i++)
+            *band_at(ret, i, j) = band_get(A, keep[i], keep[j]);
+    return SW_OK;
+}
+
+/* The plane (part 0) and the lateral direction (1) apart. */
+static enum status split(struct ground *g, int part)
+{
+    int width = part == 0 ? 4 : 2, n = width * g->model->n, at = 0, count = 0;
+    enum status s;
+
+    g->keep[part] = mem_zeroed((size_t)n, sizeof *g->keep[part]);
+    if (!g->keep[part])
+        return SW_NOMEM;
+    for (int node = 0; node <= g->model->n; node++)
+        for (int c = 0; c < 6; c++)
+            if ((node > 0 && node < g->model->n) || c % 2 == 1) {
+                if ((c >= 4) == (part == 1))
+                    g->keep[part][count++] = at;
+                at++;
+            }
+    s = take_part(&g->K.free, g->keep[part], n, 2 * width - 1, &g->part_K[part]);
+    return s == SW_OK ? take_part(&g->M.free, g->keep[part], n, 2 * width - 1, &g->part_M[part])
+                      : s;
+}
+
 enum status ground_new(const struct model *m, double alpha, double beta, struct ground *ret)
 {
     struct band M = {0}, K = {0};
@@ -20,6 +52,8 @@ enum status ground_new(const struct model *m, double alpha, double beta, struct 
         s = model_partition(m, &K, &ret->K);
     band_free(&M);
     band_free(&K);
+    for (int part = 0; part < 2 && s == SW_OK; part++)
+        s = split(ret, part);
     if (s != SW_OK)
         ground_free(ret);
     return s;
@@ -29,6 +63,32 @@ void ground_free(struct ground *g)
 {
     partition_free(&g->M);
     partition_free(&g->K);
+    for (int part = 0; part < 2; part++) {
+        band_free(&g->part_M[part]);
+        band_free(&g->part_K[part]);
+        free(g->keep[part]);
+        g->keep[part] = NULL;
+    }
+}
+
+/* Solve the part of x; nothing to do where it is at rest. */
+static enum status solve_part(const struct ground *g, int part, double complex k, double complex m,
+                              double complex *x, double complex *work)
+{
+    const int *keep = g->keep[part];
+    int n = g->part_K[part].n, moves = 0;
+    enum status s;
+
+    for (int i = 0; i < n; i++) {
+        work[i] = x[keep[i]];
+        moves |= work[i] != 0;
+    }
+    if (!moves)
+        return SW_OK;
+    s = zband_solve(k, &g->part_K[part], m, &g->part_M[part], work);
+    for (int i = 0; i < n; i++)
+        x[keep[i]] = work[i];
+    return s;
 }
 
 enum status ground_response(const struct ground *g, double Omega, const double complex b[6],
@@ -36,7 +96,7 @@ enum status ground_response(const struct ground *g, double Omega, const double c
 {
     double complex k = 1 + I * (Omega * g->beta), m = -Omega * Omega + I * (Omega * g->alpha);
     int n = 6 * g->model->n, held[6], i = 0;
-    double complex *x = mem_zeroed((size_t)n, sizeof *x);
+    double complex *x = mem_zeroed(2 * (size_t)n, sizeof *x);
     enum status s;
 
     if (!x)
@@ -48,7 +108,9 @@ enum status ground_response(const struct ground *g, double Omega, const double c
     for (int j = 0; j < 6; j++)
         for (i = 0; i < n && b[j] != 0; i++)
             x[i] -= (k * g->K.support[i + n * j] + m * g->M.support[i + n * j]) * b[j];
-    s = zband_solve(k, &g->K.free, m, &g->M.free, x);
+    s = solve_part(g, 0, k, m, x, x + n);
+    if (s == SW_OK)
+        s = solve_part(g, 1, k, m, x, x + n);
     i = 0;
     for (int node = 0; node <= g->model->n; node++)
         for (int c = 0; c < 6; c++)

@@ -11,9 +11,11 @@
 
 /* Matrices of the response, once for all frequencies. */
 struct ground {
-    const struct model *model; /* not owned */
-    struct partition M, K;     /* of all unknowns, in the axes of the line's plane */
-    double alpha, beta;        /* damping of the ground motion [1/s], [s] */
+    const struct model *model;        /* not owned */
+    struct partition M, K;            /* of all unknowns, in the axes of the line's plane */
+    struct band part_M[2], part_K[2]; /* free unknowns of the plane, and lateral ones */
+    int *keep[2];                     /* their numbers among all free ones; owned */
+    double alpha, beta;               /* damping of the ground motion [1/s], [s] */
 };
 
 /* SW_NOMEM. */

@@ -75,6 +75,8 @@ static enum status boundaries(const struct parametric *p, const struct map_task 
 
     for (int period = 1; period <= 2 && s == SW_OK; period++) {
         s = bolotin_solve(p, Omega, period, t->harmonics, t->to, found, room, &n);
+        if (s == SW_OK && t->change)
+            s = bolotin_change(p, Omega, period, t->harmonics, found, n);
         for (int i = 0; i < n && s == SW_OK; i++) {
             struct map_row *row = add_row(ret, ratio, Omega, found[i].kappa);
 

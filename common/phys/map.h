@@ -42,6 +42,7 @@ struct map_task {
     int floquet;           /* grid or curves of multipliers, else Bolotin's boundaries */
     int trace;             /* floquet: amplitudes at which the largest modulus crosses 1, to 1e-6 */
     int harmonics;         /* of Bolotin */
+    int change;            /* whether his points tell their change by the last harmonics */
     double from, to, step; /* amplitudes */
 };
 

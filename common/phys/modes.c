@@ -288,6 +288,8 @@ enum status modes_of_part(const struct model *m, enum part part, int mode, doubl
         s = part_new(m, part, &p);
     if (s == SW_OK)
         s = part_solve(&p, dense);
+    if (s == SW_OK && band_count_below(&p.K, &p.M, p.lambda[mode - 1] * (1 - 1e-5)) >= mode)
+        s = SW_NOCONV; /* a lower one has been missed */
     if (s == SW_OK) {
         scatter(m, part, p.x + (size_t)n * (size_t)(mode - 1), V);
         *ret_omega = sqrt(model_quotient(m, V));
