@@ -38,7 +38,10 @@ enum status dense_pencil(int n, double *A, double *B, double *lambda)
 
 enum status dense_general(int n, double *A, double *re, double *im, double *x)
 {
-    return judge(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', n, A, n, re, im, x, 1, x, n), SW_NOCONV);
+    char vectors = x ? 'V' : 'N';
+
+    return judge(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', vectors, n, A, n, re, im, x, n, x, n),
+                 SW_NOCONV);
 }
 
 void dense_threads(int n)
