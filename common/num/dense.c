@@ -38,9 +38,10 @@ enum status dense_pencil(int n, double *A, double *B, double *lambda)
 
 enum status dense_general(int n, double *A, double *re, double *im, double *x)
 {
-    char vectors = x ? 'V' : 'N';
+    double none;
 
-    return judge(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', vectors, n, A, n, re, im, x, n, x, n),
+    return judge(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', x ? 'V' : 'N', n, A, n, re, im, &none, 1,
+                               x ? x : &none, x ? n : 1),
                  SW_NOCONV);
 }
 
