@@ -18,8 +18,8 @@ enum status dense_symmetric(int n, double *A, double *lambda);
  * X^T B X = I overwrite A, B is lost.  SW_INDEFINITE, SW_NOCONV. */
 enum status dense_pencil(int n, double *A, double *B, double *lambda);
 
-/* A x = (re + i im) x, general; A is lost.  x (n, n) or NULL: a complex pair k, k + 1, the one with im > 0
- * first, has x_k + i x_(k+1).  SW_NOCONV. */
+/* A x = (re + i im) x, general; A is lost.  x (n, n) or NULL: a complex pair k, k + 1, the one with
+ * im > 0 first, has x_k + i x_(k+1).  SW_NOCONV. */
 enum status dense_general(int n, double *A, double *re, double *im, double *x);
 
 /* Threads that BLAS and LAPACK may use in each call. */
