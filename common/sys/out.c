@@ -171,10 +171,10 @@ static int copy_file(const char *from, const char *to)
 
     while (good && (n = fread(block, 1, sizeof block, in)) > 0)
         good = fwrite(block, 1, n, out) == n;
-    if (in)
-        good &= !ferror(in) & (fclose(in) == 0);
-    if (out)
-        good &= fclose(out) == 0;
+    if (in && (ferror(in) || fclose(in) != 0))
+        good = 0;
+    if (out && fclose(out) != 0)
+        good = 0;
     return good;
 }
 
