@@ -38,7 +38,11 @@ enum status dense_pencil(int n, double *A, double *B, double *lambda)
 
 enum status dense_general(int n, double *A, double *re, double *im, double *x)
 {
-    return judge(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', n, A, n, re, im, x, 1, x, n), SW_NOCONV);
+    double none;
+
+    return judge(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', x ? 'V' : 'N', n, A, n, re, im, &none, 1,
+                               x ? x : &none, x ? n : 1),
+                 SW_NOCONV);
 }
 
 void dense_threads(int n)

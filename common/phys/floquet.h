@@ -2,8 +2,8 @@
  * Floquet multipliers of the projected equations over one period T = 2 pi/Omega.
  *
  * The monodromy matrix is composed of exact flows of the damped modes and kicks by the parametric
- * terms, fourth order (Suzuki); steps are halved until the largest multiplier, extrapolated to
- * none, stands still.
+ * terms, fourth order (Suzuki); steps are halved until the matrix stands still, and
+ * extrapolated to none.
  */
 #ifndef SEILWERK_PHYS_FLOQUET_H
 #define SEILWERK_PHYS_FLOQUET_H
@@ -21,8 +21,8 @@ struct floquet {
     int steps;              /* a period */
 };
 
-/* kappa [m]; tolerance: of the multiplier, relative; ret->steps before the call: those to begin
- * with, e.g. of a neighbour, or 0.  SW_NOCONV: not reached with 2^16 steps; SW_NOMEM. */
+/* kappa [m]; tolerance: of the monodromy matrix, relative; ret->steps before the call: those to
+ * begin with, e.g. of a neighbour, or 0.  SW_NOCONV: not reached with 2^16 steps; SW_NOMEM. */
 enum status floquet_solve(const struct parametric *p, double Omega, double kappa, double tolerance,
                           struct floquet *ret);
 

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TOLERANCE_GRID 1e-6   /* of multipliers that are printed */
-#define TOLERANCE_TRACE 1e-10 /* of those whose crossing of 1 is looked for */
+#define TOLERANCE_GRID 2e-5  /* of matrices before they are extrapolated; multipliers get 1e-6 */
+#define TOLERANCE_TRACE 1e-9 /* where a crossing of 1 is looked for */
 
 enum status map_new(const struct model *m, const struct modes *p, const int *mode, int s,
                     double ground_alpha, double ground_beta, struct map *ret)

@@ -106,7 +106,12 @@ static void defaults(void **state)
                               "[damping]\nalpha = 0\nbeta = 0\n"
                               "[time]\nscheme = central\nstep = auto\nstart = static\n"
                               "output_every = 0.25\nprobes = 0.5\n"
-                              "[nonlinear]\nterms = 3\n");
+                              "[nonlinear]\nterms = 3\n"
+                              "[stability]\nmethod = bolotin\ntheory = indifference\n"
+                              "quadratic = no\nground = damped\nmodes = 1 2\nharmonics = 9\n"
+                              "ratio_start = 0.4\nratio_end = 1.2\nratio_step = 0.005\n"
+                              "reference_mode = 1\namplitude_start = 0\namplitude_end = 1\n"
+                              "amplitude_step = 0.001\n");
     free(text);
 }
 
@@ -458,7 +463,7 @@ static void givens(void **state)
         text = printed(&c);
         assert_int_equal(strncmp(text, "[cable]\nunstressed_length = ", 28), 0);
         for (const char *const *word = (const char *const[]){"force", "tension", "sag", "freq",
-                                                             "mode =", "plane", "branch", NULL};
+                                                             "\nmode =", "plane", "branch", NULL};
              *word; word++)
             assert_null(strstr(text, *word));
         free(text);
@@ -733,6 +738,33 @@ static void forces(void **state)
     assert_false(c.wind.cd > 0);
 }
 
+/* [stability]: defaults by method, refusals. */
+static void stability(void **state)
+{
+    const struct stability *p = &c.stability;
+    (void)state;
+
+    good(BASE, "stability.method=floquet", "stability.modes=3 1");
+    assert_true(p->amplitude_end == 0.1 && p->n_modes == 2 && p->mode[0] == 2 && p->mode[1] == 0);
+    fixed_point();
+    good(BASE, "stability.amplitude_end=0.3", "stability.quadratic=yes",
+         "stability.ground=undamped", "stability.theory=classical");
+    assert_true(p->amplitude_end == 0.3 && p->quadratic && p->undamped &&
+                p->theory == THEORY_CLASSICAL);
+    fixed_point();
+    bad(BASE "[stability]\nmodes = 1 1.5\n",
+        "test:8: modes: each must be a mode that the mesh has, from 1");
+    bad(BASE "[stability]\nmodes = 121\n",
+        "test:8: modes: each must be a mode that the mesh has, from 1");
+    bad(BASE "[stability]\nmodes = 2 3 2\n", "test:8: modes: a mode is given twice");
+    bad(BASE "[stability]\nreference_mode = 121\n",
+        "test:8: reference_mode: the mesh has fewer modes");
+    bad(BASE "[stability]\nratio_start = 2\nratio_end = 1\n",
+        "test:9: ratio_end: must not lie below ratio_start");
+    bad(BASE "[stability]\namplitude_start = 2\n",
+        "test: [stability] amplitude_end: must not lie below amplitude_start");
+}
+
 static void time_refusals(void **state)
 {
     static const char *const start[] = {"mode",     "mode 1",     "mode 0 1", "mode 121 1",
@@ -796,5 +828,5 @@ TEST_MAIN(cmocka_unit_test(defaults), cmocka_unit_test(output_interval),
           cmocka_unit_test(too_short), cmocka_unit_test(loads), cmocka_unit_test(dampers),
           cmocka_unit_test(model_keys), cmocka_unit_test(damping),
           cmocka_unit_test(motion_refusals), cmocka_unit_test(disturbance_refusals),
-          cmocka_unit_test(forces), cmocka_unit_test(time_refusals), cmocka_unit_test(files),
-          cmocka_unit_test(memory))
+          cmocka_unit_test(forces), cmocka_unit_test(stability), cmocka_unit_test(time_refusals),
+          cmocka_unit_test(files), cmocka_unit_test(memory))
