@@ -95,15 +95,15 @@ struct crossing_search {
     const struct parametric *p;
     double Omega, tolerance;
     struct floquet last;
+    enum status status;
 };
 
 static double log_modulus(double kappa, void *context)
 {
     struct crossing_search *c = context;
 
-    if (floquet_solve(c->p, c->Omega, kappa, c->tolerance, &c->last) != SW_OK)
-        return NAN;
-    return log(c->last.modulus);
+    c->status = floquet_solve(c->p, c->Omega, kappa, c->tolerance, &c->last);
+    return c->status == SW_OK ? log(c->last.modulus) : NAN;
 }
 
 /* The amplitudes of the grid, or those between them at which the modulus goes through 1. */
@@ -120,13 +120,15 @@ static enum status multipliers(const struct parametric *p, const struct map_task
         double kappa = t->from + (double)i * t->step, now = log_modulus(kappa, &c), at = kappa;
         struct map_row *row;
 
-        if (isnan(now))
-            return SW_NOCONV;
+        if (c.status != SW_OK)
+            return c.status;
         if (t->trace) {
             int crossed = i > 0 && (now > 1e-9) != (before > 1e-9);
 
             if (crossed)
                 at = root_between(log_modulus, &c, last, before - 1e-9, kappa, now - 1e-9);
+            if (c.status != SW_OK)
+                return c.status;
             before = now;
             last = kappa;
             if (!crossed)

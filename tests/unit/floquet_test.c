@@ -392,6 +392,155 @@ static void traced(void **state)
     rope_end(&r);
 }
 
+/* Lowest amplitude of a region at a ratio. */
+static double region_at(const struct map *m, const struct map_row *region, double ratio)
+{
+    struct boundary found[400];
+    struct parametric p;
+    int n;
+
+    assert_int_equal(map_equations(m, ratio, &p), SW_OK);
+    assert_int_equal(bolotin_solve(&p, 2 * ratio * m->reference, region->period, 9, INFINITY, found,
+                                   400, &n),
+                     SW_OK);
+    parametric_free(&p);
+    for (int i = 0; i < n; i++)
+        if (found[i].mode == region->boundary.mode && found[i].order == region->boundary.order)
+            return found[i].kappa;
+    return INFINITY;
+}
+
+/* Lowest points are those of a scan 200 times as fine around them; with all damping times the
+ * factor the lowest point lies at the wanted amplitude. */
+static void answers(void **state)
+{
+    struct map_task t = {.harmonics = 9, .to = 0.03};
+    struct map_answer a[MAP_MOST_REGIONS];
+    double step = 0.01, last = 0;
+    struct rope r;
+    int n;
+    (void)state;
+
+    rope_begin(&seil2, LAW_THESIS, 10, 2, ALPHA_2, BETA_2, 1, &r);
+    assert_int_equal(map_answers(&r.map, &t, 0.4, step, 91, 1, a, &n), SW_OK);
+    assert_true(n >= 2);
+    for (int i = 0; i < n; i++) {
+        const struct map_row *row = &a[i].row;
+        double least = INFINITY, at = 0, lifted = INFINITY, wide;
+        struct map harder = r.map;
+
+        for (int k = -200; k <= 200; k++) {
+            double here = region_at(&r.map, row, row->ratio + k * step / 200);
+
+            if (here < least) {
+                least = here;
+                at = row->ratio + k * step / 200;
+            }
+        }
+        print_message("# period %d mode %d order %d: %.7g m at %.6g (scan %.7g at %.6g), factor "
+                      "%.6g\n",
+                      row->period, row->boundary.mode + 1, row->boundary.order, row->amplitude,
+                      row->ratio, least, at, a[i].factor);
+        assert_true(row->amplitude >= last && row->amplitude <= t.to);
+        last = row->amplitude;
+        near_rel(row->Omega, 2 * row->ratio * r.map.reference, 1e-14);
+        near_rel(row->amplitude, region_at(&r.map, row, row->ratio), 1e-12);
+        assert_true(row->amplitude <= least * (1 + 1e-9));
+        near_rel(row->amplitude, least, 1e-3);
+        if (isnan(a[i].factor))
+            continue;
+        assert_true(a[i].factor >= 1);
+        harder.alpha *= a[i].factor;
+        harder.beta *= a[i].factor;
+        harder.ground.alpha *= a[i].factor;
+        harder.ground.beta *= a[i].factor;
+        wide = 3 * step;
+        for (int k = -600; k <= 600; k++)
+            lifted = fmin(lifted, region_at(&harder, row, row->ratio + k * wide / 600));
+        print_message("#   lifted to %.7g\n", lifted);
+        near_rel(lifted, t.to, 1e-3);
+    }
+    rope_end(&r);
+}
+
+/* Without any damping there is nothing to raise. */
+static void answers_undamped(void **state)
+{
+    struct map_task t = {.harmonics = 5, .to = 0.03};
+    struct map_answer a[MAP_MOST_REGIONS];
+    struct rope r;
+    int n;
+    (void)state;
+
+    rope_begin(&seil2, LAW_THESIS, 8, 1, 0, 0, 0, &r);
+    assert_int_equal(map_answers(&r.map, &t, 0.9, 0.01, 21, 1, a, &n), SW_OK);
+    assert_int_equal(n, 1);
+    below(a[0].row.amplitude, 1e-6);
+    near_abs(a[0].row.ratio, 1, 1e-6);
+    assert_true(isnan(a[0].factor));
+    rope_end(&r);
+}
+
+static void memory_runs_out(void **state)
+{
+    static const double ratio[2] = {0.9, 1};
+    struct model m;
+    struct modes p;
+    const int mode[2] = {0, 1};
+    (void)state;
+
+    assert_int_equal(model_new(&seil2, LAW_THESIS, 4, &m), SW_OK);
+    assert_int_equal(modes_lowest(&m, 2, SOLVER_DENSE, &p), SW_OK);
+    for (int job = 0; job < 5; job++) {
+        struct map_task t = {.floquet = job == 1 || job == 2,
+                             .trace = job == 2,
+                             .harmonics = 3,
+                             .to = 0.03,
+                             .step = 0.015};
+        unsigned long n = 0;
+        enum status s;
+
+        do {
+            struct map map;
+
+            mem_fail_at(++n);
+            s = map_new(&m, &p, mode, 2, ALPHA_2, BETA_2, &map);
+            if (s == SW_OK) {
+                map.alpha = ALPHA_2;
+                map.beta = BETA_2;
+                map.reference = p.omega[0];
+                map.b[3] = 1;
+                map.quadratic = job == 3;
+                if (job < 4) {
+                    struct map_rows rows[2];
+
+                    map_rows(&map, &t, ratio, 2, 1, rows);
+                    for (int i = 0; i < 2; i++) {
+                        if (s == SW_OK)
+                            s = rows[i].status;
+                        map_rows_free(&rows[i]);
+                    }
+                } else {
+                    struct map_answer a[MAP_MOST_REGIONS];
+                    int count;
+
+                    s = map_answers(&map, &t, 0.9, 0.1, 2, 1, a, &count);
+                }
+                map_free(&map);
+            }
+            if (s != SW_OK && s != SW_NOMEM)
+                print_message("# job %d, request %lu: %s\n", job, n, status_text(s));
+            assert_true(s == SW_OK || s == SW_NOMEM);
+        } while (s != SW_OK && n < 400);
+        mem_fail_at(0);
+        assert_true(n > 20);
+    }
+    modes_free(&p);
+    model_free(&m);
+}
+
 TEST_MAIN(cmocka_unit_test(on_boundaries), cmocka_unit_test(combination),
           cmocka_unit_test(hill_agrees), cmocka_unit_test(quadratic_boundaries),
-          cmocka_unit_test(groups), cmocka_unit_test(published_points), cmocka_unit_test(traced))
+          cmocka_unit_test(groups), cmocka_unit_test(published_points), cmocka_unit_test(traced),
+          cmocka_unit_test(answers), cmocka_unit_test(answers_undamped),
+          cmocka_unit_test(memory_runs_out))
