@@ -75,6 +75,9 @@ static void take_motion(void)
     const double *first = c.motion[0].amplitude;
     double size = sqrt(first[0] * first[0] + first[1] * first[1] + first[2] * first[2]);
 
+    for (int i = 0; i < c.n_motions; i++)
+        if (c.motion_section[i].file[0] != '\0')
+            die(SW_USAGE, "[%s] file: a map needs harmonic motions", c.motion_label[i]);
     if (!(size > 0))
         die(SW_USAGE, "[%s] amplitude: a direction is needed", c.motion_label[0]);
     for (int i = 0; i < c.n_motions; i++) {
@@ -82,8 +85,6 @@ static void take_motion(void)
         int at = m->support == SUPPORT_LEFT ? 0 : 3;
         double re[3], im[3], plane_re[3], plane_im[3];
 
-        if (c.motion_section[i].file[0] != '\0')
-            die(SW_USAGE, "[%s] file: a map needs harmonic motions", c.motion_label[i]);
         for (int k = 0; k < 3; k++) {
             re[k] = m->amplitude[k] * cos(m->phase[k]) / size;
             im[k] = m->amplitude[k] * sin(m->phase[k]) / size;

@@ -10,6 +10,7 @@
 
 #define TOLERANCE_GRID 2e-5  /* of matrices before they are extrapolated; multipliers get 1e-6 */
 #define TOLERANCE_TRACE 1e-9 /* where a crossing of 1 is looked for */
+#define MARGIN 1e-9 /* log of the modulus that counts as stable: undamped it is 0 or more */
 
 enum status map_new(const struct model *m, const struct modes *p, const int *mode, int s,
                     double ground_alpha, double ground_beta, struct map *ret)
@@ -92,20 +93,20 @@ static enum status boundaries(const struct parametric *p, const struct map_task 
     return s;
 }
 
-/* Logarithm of the largest modulus at an amplitude. */
+/* Logarithm of the largest modulus at an amplitude, less the margin. */
 struct crossing_search {
     const struct parametric *p;
     double Omega, tolerance;
     struct floquet last;
+    enum status status;
 };
 
 static double log_modulus(double kappa, void *context)
 {
     struct crossing_search *c = context;
 
-    if (floquet_solve(c->p, c->Omega, kappa, c->tolerance, &c->last) != SW_OK)
-        return NAN;
-    return log(c->last.modulus);
+    c->status = floquet_solve(c->p, c->Omega, kappa, c->tolerance, &c->last);
+    return c->status == SW_OK ? log(c->last.modulus) - MARGIN : NAN;
 }
 
 /* The amplitudes of the grid, or those between them at which the modulus goes through 1. */
@@ -122,13 +123,15 @@ static enum status multipliers(const struct parametric *p, const struct map_task
         double kappa = t->from + (double)i * t->step, now = log_modulus(kappa, &c), at = kappa;
         struct map_row *row;
 
-        if (isnan(now))
-            return SW_NOCONV;
+        if (c.status != SW_OK)
+            return c.status;
         if (t->trace) {
-            int crossed = i > 0 && (now > 1e-9) != (before > 1e-9);
+            int crossed = i > 0 && (now > 0) != (before > 0);
 
             if (crossed)
-                at = root_between(log_modulus, &c, last, before - 1e-9, kappa, now - 1e-9);
+                at = root_between(log_modulus, &c, last, before, kappa, now);
+            if (c.status != SW_OK)
+                return c.status;
             before = now;
             last = kappa;
             if (!crossed)
