@@ -8,6 +8,7 @@
 
 #define CHUNK 64
 #define MOST_FACTOR 1e4
+#define MOST_MOVES 100
 
 static int same_region(const struct map_row *a, int period, const struct boundary *b)
 {
@@ -59,6 +60,7 @@ struct search {
     struct map_row region;
     double window; /* ratios on both sides of the lowest point */
     double lowest; /* ratio of the last lowest point */
+    int follow;    /* whether the window moves on where the lowest point lies at its end */
     enum status status;
 };
 
@@ -91,14 +93,20 @@ static double lowest_at(double ratio, void *context)
 static double lift(double log_factor, void *context)
 {
     struct search *f = context;
-    double factor = exp(log_factor), least;
+    double factor = exp(log_factor), least, middle = f->region.ratio, moved;
+    int moves = 0;
 
     f->map.alpha = factor * f->alpha;
     f->map.beta = factor * f->beta;
     f->map.ground.alpha = factor * f->ground_alpha;
     f->map.ground.beta = factor * f->ground_beta;
-    f->lowest = least_between(lowest_at, f, f->region.ratio - f->window,
-                              f->region.ratio + f->window, &least);
+    do {
+        f->lowest = least_between(lowest_at, f, fmax(middle - f->window, f->window),
+                                  middle + f->window, &least);
+        moved = fabs(f->lowest - middle);
+        middle = f->lowest;
+    } while (f->follow && f->status == SW_OK && isfinite(least) && moved > 0.9 * f->window &&
+             ++moves < MOST_MOVES);
     if (f->status != SW_OK)
         return NAN;
     return fmin(least, 1e300) - f->task->to;
@@ -125,6 +133,7 @@ static enum status answer(const struct map *m, const struct map_task *t, double 
     if (f.status != SW_OK || !(m->alpha > 0 || m->beta > 0))
         return f.status;
     f.window = 3 * step;
+    f.follow = 1; /* damping shifts the lowest point */
     while (!(above > 0) && high < log(MOST_FACTOR) && f.status == SW_OK)
         above = lift(high += log(2), &f);
     if (above > 0 && now <= 0)

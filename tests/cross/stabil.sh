@@ -70,6 +70,10 @@ awk -v k="$factor" '/^alpha/ { print "alpha =", k*0.10951; next }
 runs 0 'with that damping' stabil --answers --set stability.amplitude_end=0.051 safe.ini
 awk -F, '$1 == "2T" && $2 == 1 && $6 > 0.04999 && $6 < 0.05001 { found = 1 } END { exit !found }' out
 ok $? 'the region begins at the wanted amplitude'
+runs 0 'answers by short steps' stabil --answers -o short.csv --set stability.ratio_step=0.0005 seil2.ini
+runs 0 'answers by long steps' stabil --answers -o steps.csv --set stability.ratio_step=0.01 seil2.ini
+"$compare" -r 1e-6 -c order,ratio,amplitude_m,safe_factor short.csv steps.csv >&2
+ok $? 'the same answers'
 
 # Modes of a directory, threads.
 runs 0 'modal' modal -d model -o modal.csv --set mesh.elements=10 seil2.ini
