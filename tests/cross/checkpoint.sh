@@ -39,4 +39,52 @@ runs 2 'check-point: no number' "$top/scripts/check-point" "$case" one 0.05
 runs 2 'check-point: no case' "$top/scripts/check-point" "$scratch/none.ini" 1 0.05
 runs 2 'check-point: nothing moves' "$top/scripts/check-point" "$case" 1 0.05 \
     --set 'motion deck.amplitude=' --set 'motion deck.omega=' --set 'motion deck.support='
+# The study of the map and its pictures.
+study=$top/scripts/experiments/stability-seil2
+plot=$top/scripts/plot/stability
+runs 2 'stability-seil2: usage' "$study/run"
+says 'usage: run DIR' 'stability-seil2: says how'
+runs 2 'plot/stability: usage' "$plot"
+says 'usage: stability ' 'plot/stability: says how'
+runs 2 'plot/stability: no map' "$plot" "$study/case.ini" "$scratch/none.png"
+stabil --set stability.ratio_start=0.7 --set stability.ratio_end=0.71 "$study/case.ini" \
+    >"$scratch/empty.csv"
+runs 2 'plot/stability: a map without rows' "$plot" "$scratch/empty.csv" "$scratch/none.png"
+[ ! -e "$scratch/none.png" ]
+ok $? 'no picture without data'
+if ! command -v gnuplot >/dev/null 2>&1; then
+    skip 'no gnuplot here'
+    finish
+fi
+runs 0 'stability-seil2' "$study/run" "$scratch/study"
+same "$scratch/out" "$scratch/study/table.txt" 'stability-seil2: prints its table'
+[ ! -s "$scratch/err" ]
+ok $? 'stability-seil2: nothing on stderr'
+for map in indifference-damped indifference-undamped classical-damped classical-undamped floquet; do
+    png "$scratch/study/$map.png"
+    ok $? "stability-seil2: $map.png"
+done
+# expected 5, computed 6: to the digits of theory
+awk -F, 'NR > 1 { n++; if (($6 - $5)^2 > 0.55e-5^2) bad++ } END { exit !(n == 8 && !bad) }' \
+    "$scratch/study/thresholds.csv"
+ok $? 'stability-seil2: eight thresholds, both theories, both ground motions'
+# lowest points of Bolotin are where Floquet's modulus goes through 1: on the same ratio
+awk -F, '
+    NR == FNR {
+        if (FNR > 1 && $4 == "2T" && $5 == 1) bolotin[sprintf("%.4f", $1)] = $3
+        next
+    }
+    FNR > 1 && sprintf("%.4f", $1) in bolotin && $1 > 0.75 && $1 < 1.03 {
+        k = bolotin[sprintf("%.4f", $1)]
+        if ($3 > k + 1e-6 && !($4 > 1) || $3 < k - 1e-6 && $4 > 1) bad++
+        n++
+    }
+    END { exit !(n > 5000 && !bad) }' "$scratch/study/indifference-damped.csv" \
+    "$scratch/study/floquet.csv"
+ok $? 'stability-seil2: Bolotin and Floquet agree in the region of mode 1'
+stabil --trace --set stability.method=floquet --set stability.ratio_step=0.02 \
+    "$study/case.ini" >"$scratch/trace.csv"
+runs 0 'plot/stability: curves' "$plot" "$scratch/trace.csv" "$scratch/trace.png"
+png "$scratch/trace.png"
+ok $? 'plot/stability: the picture of curves'
 finish
