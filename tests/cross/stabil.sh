@@ -163,7 +163,7 @@ runs 2 '--growth of boundaries' stabil --growth seil2.ini
 says 'belong to stability.method = floquet' 'is refused'
 runs 2 '--trace of boundaries' stabil --trace seil2.ini
 runs 2 '--answers by multipliers' stabil --answers $floquet seil2.ini
-says '--answers belongs to stability.method = bolotin' 'is refused'
+says '--answers and --change belong to stability.method = bolotin' 'is refused'
 runs 2 '--resume to standard output' stabil --resume seil2.ini
 says '--resume needs -o FILE' 'is refused'
 runs 2 '--answers --resume' stabil --answers --resume -o a.csv seil2.ini
