@@ -58,9 +58,10 @@ struct search {
     double alpha, beta, ground_alpha, ground_beta;
     const struct map_task *task;
     struct map_row region;
-    double window; /* ratios on both sides of the lowest point */
-    double lowest; /* ratio of the last lowest point */
-    int follow;    /* whether the window moves on where the lowest point lies at its end */
+    double window;    /* ratios on both sides of the lowest point */
+    double low, high; /* which ratios are looked at, at all */
+    double lowest;    /* ratio of the last lowest point */
+    int follow;       /* whether the window moves on where the lowest point lies at its end */
     enum status status;
 };
 
@@ -101,8 +102,8 @@ static double lift(double log_factor, void *context)
     f->map.ground.alpha = factor * f->ground_alpha;
     f->map.ground.beta = factor * f->ground_beta;
     do {
-        f->lowest = least_between(lowest_at, f, fmax(middle - f->window, f->window),
-                                  middle + f->window, &least);
+        f->lowest = least_between(lowest_at, f, fmax(middle - f->window, f->low),
+                                  fmin(middle + f->window, f->high), &least);
         moved = fabs(f->lowest - middle);
         middle = f->lowest;
     } while (f->follow && f->status == SW_OK && isfinite(least) && moved > 0.9 * f->window &&
@@ -112,8 +113,9 @@ static double lift(double log_factor, void *context)
     return fmin(least, 1e300) - f->task->to;
 }
 
-static enum status answer(const struct map *m, const struct map_task *t, double step,
-                          struct map_answer *ret)
+/* The map goes from ratio low to high. */
+static enum status answer(const struct map *m, const struct map_task *t, double low, double high,
+                          double step, struct map_answer *ret)
 {
     struct search f = {.map = *m,
                        .alpha = m->alpha,
@@ -122,8 +124,10 @@ static enum status answer(const struct map *m, const struct map_task *t, double 
                        .ground_beta = m->ground.beta,
                        .task = t,
                        .region = ret->row,
-                       .window = step};
-    double now = lift(0, &f), high = 0, above = now;
+                       .window = step,
+                       .low = low,
+                       .high = high};
+    double now = lift(0, &f), log_factor = 0, above = now;
 
     if (f.status == SW_OK && now + t->to < ret->row.amplitude) {
         ret->row.ratio = f.lowest;
@@ -133,11 +137,13 @@ static enum status answer(const struct map *m, const struct map_task *t, double 
     if (f.status != SW_OK || !(m->alpha > 0 || m->beta > 0))
         return f.status;
     f.window = 3 * step;
-    f.follow = 1; /* damping shifts the lowest point */
-    while (!(above > 0) && high < log(MOST_FACTOR) && f.status == SW_OK)
-        above = lift(high += log(2), &f);
+    f.follow = 1; /* damping shifts the lowest point, also out of the map */
+    f.low = f.window;
+    f.high = INFINITY;
+    while (!(above > 0) && log_factor < log(MOST_FACTOR) && f.status == SW_OK)
+        above = lift(log_factor += log(2), &f);
     if (above > 0 && now <= 0)
-        ret->factor = exp(root_between(lift, &f, 0, now, high, above));
+        ret->factor = exp(root_between(lift, &f, 0, now, log_factor, above));
     return f.status;
 }
 
@@ -160,7 +166,7 @@ enum status map_answers(const struct map *m, const struct map_task *t, double fi
         return s;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (int i = 0; i < *ret_n; i++)
-        each[i] = answer(m, t, step, &ret[i]);
+        each[i] = answer(m, t, first, first + (double)(count - 1) * step, step, &ret[i]);
     for (int i = 0; i < *ret_n; i++)
         if (each[i] != SW_OK)
             s = each[i];
