@@ -6,7 +6,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define CHECKPOINT 60 /* seconds */
 
@@ -73,19 +72,7 @@ static enum status save(struct map_file *f, struct why *why)
 
 enum status map_file_checkpoint(struct map_file *f, struct why *why)
 {
-    struct timespec t;
-    double now;
-
-    if (!f->state)
-        return SW_OK;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    now = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-    if (f->saved == 0)
-        f->saved = now;
-    if (now - f->saved < CHECKPOINT)
-        return SW_OK;
-    f->saved = now;
-    return save(f, why);
+    return f->state && state_due(&f->saved, CHECKPOINT) ? save(f, why) : SW_OK;
 }
 
 enum status map_file_stop(struct map_file *f, struct why *why)

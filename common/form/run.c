@@ -4,7 +4,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 static int is_file(const char *path)
 {
@@ -97,19 +96,7 @@ static enum status save(struct run *r, struct why *why)
 
 enum status run_checkpoint(struct run *r, struct why *why)
 {
-    struct timespec t;
-    double now;
-
-    if (!r->state)
-        return SW_OK;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    now = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-    if (r->saved == 0)
-        r->saved = now;
-    if (now - r->saved < (double)r->checkpoint)
-        return SW_OK;
-    r->saved = now;
-    return save(r, why);
+    return r->state && state_due(&r->saved, (double)r->checkpoint) ? save(r, why) : SW_OK;
 }
 
 enum status run_stop(struct run *r, struct why *why)

@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #define VERSION 1
@@ -173,6 +174,21 @@ enum status state_path(const char *given, const char *result, char **ret, struct
         return fail_plain(why, SW_NOMEM);
     snprintf(*ret, size, "%s%s", path, given ? "" : ".state");
     return SW_OK;
+}
+
+int state_due(double *saved, double seconds)
+{
+    struct timespec t;
+    double now;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    now = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    if (*saved == 0)
+        *saved = now;
+    if (now - *saved < seconds)
+        return 0;
+    *saved = now;
+    return 1;
 }
 
 int state_is_there(const char *path)

@@ -52,6 +52,10 @@ enum status state_resume(const char *path, const struct cable_case *c, const cha
  * file.  To be freed.  SW_NOMEM. */
 enum status state_path(const char *given, const char *result, char **ret, struct why *why);
 
+/* Whether it is time for a state: so many seconds of wall time since *saved, the time of the last
+ * one (0: none yet), which is then set. */
+int state_due(double *saved, double seconds);
+
 /* Whether there is a file at path that can be read. */
 int state_is_there(const char *path);
 
