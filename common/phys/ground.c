@@ -91,12 +91,42 @@ static enum status solve_part(const struct ground *g, int part, double complex k
     return s;
 }
 
+/* x^H K x of the real or imaginary part of x. */
+static double stiffness_of(const struct band *K, const double complex *x, int imaginary,
+                           double *work)
+{
+    double *part = work, *Kx = work + K->n, sum = 0;
+
+    for (int i = 0; i < K->n; i++) {
+        part[i] = imaginary ? cimag(x[i]) : creal(x[i]);
+        Kx[i] = 0;
+    }
+    band_multiply_add(K, 1, part, Kx);
+    for (int i = 0; i < K->n; i++)
+        sum += part[i] * Kx[i];
+    return sum;
+}
+
+/* Whether x, the undamped response to the right side r, is one at a resonance: of its energy 2 U =
+ * x^H K x all but 1e-12 swings by itself, and x^H r is what is left. */
+static int is_resonance(const struct ground *g, const double complex *x, const double complex *r,
+                        double *work)
+{
+    const struct band *K = &g->K.free;
+    double energy = stiffness_of(K, x, 0, work) + stiffness_of(K, x, 1, work);
+    double complex fed = 0;
+
+    for (int i = 0; i < K->n; i++)
+        fed += conj(x[i]) * r[i];
+    return energy > 0 && !(cabs(fed) > 1e-12 * energy);
+}
+
 enum status ground_response(const struct ground *g, double Omega, const double complex b[6],
                             const double *R, double complex *V)
 {
     double complex k = 1 + I * (Omega * g->beta), m = -Omega * Omega + I * (Omega * g->alpha);
     int n = 6 * g->model->n, held[6], i = 0;
-    double complex *x = mem_zeroed(2 * (size_t)n, sizeof *x);
+    double complex *x = mem_zeroed(3 * (size_t)n, sizeof *x), *r = x + 2 * n;
     enum status s;
 
     if (!x)
@@ -108,9 +138,13 @@ enum status ground_response(const struct ground *g, double Omega, const double c
     for (int j = 0; j < 6; j++)
         for (i = 0; i < n && b[j] != 0; i++)
             x[i] -= (k * g->K.support[i + n * j] + m * g->M.support[i + n * j]) * b[j];
+    for (i = 0; i < n; i++)
+        r[i] = x[i];
     s = solve_part(g, 0, k, m, x, x + n);
     if (s == SW_OK)
         s = solve_part(g, 1, k, m, x, x + n);
+    if (s == SW_OK && g->alpha == 0 && g->beta == 0 && is_resonance(g, x, r, (double *)(x + n)))
+        s = SW_INDEFINITE;
     i = 0;
     for (int node = 0; node <= g->model->n; node++)
         for (int c = 0; c < 6; c++)
