@@ -127,6 +127,10 @@ static void set_up(void)
         die(s, "model: %s", status_text(s));
     if (c.n_motions == 0 && c.n_forces == 0)
         die(SW_USAGE, "nothing excites this cable: a [motion] or a [force] is needed");
+    if (c.n_dampers > 0)
+        warn("[%s] is not taken in: the map is that of the cable without it", c.damper_label[0]);
+    if (c.wind.cd > 0)
+        warn("[wind] is not taken in: the map is that of the cable without it");
     if (c.n_motions > 0 && c.n_forces > 0)
         die(SW_USAGE, "either [motion] or [force] can be what the map's amplitude means");
     get_modes();

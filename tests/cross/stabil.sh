@@ -176,6 +176,10 @@ runs 0 'four modes' modal --modes 4 -d four -o four.csv seil2.ini
 runs 2 'too few modes in the directory' stabil -d four --set stability.modes='1 5' seil2.ini
 says 'holds 4 modes; mode 5 is wanted' 'is told'
 
+runs 0 'a damper in the case' stabil --set damper.position=0.1 --set 'damper.direction=0 1 0' \
+    --set damper.coefficient=10 --set stability.ratio_start=1 --set stability.ratio_end=1 seil2.ini
+says '[damper] is not taken in' 'is told'
+
 # An undamped resonance of the ground motion, to round-off.
 runs 0 'an undamped resonance' stabil --set stability.ground=undamped \
     --set stability.reference_mode=2 --set stability.ratio_start=0.5 \
