@@ -272,6 +272,7 @@ static enum status collect(const struct reading *r, struct cable_case *c)
                            {scale * p->value[0], scale * p->value[1], scale * p->value[2]},
                            p->omega,
                            p->phase,
+                           NULL,
                            NULL};
     }
     return SW_OK;

@@ -52,6 +52,7 @@ void band_multiply_add(const struct band *A, double c, const double *x, double *
     switch (A->kd) { /* the common ones, for the compiler to unroll */
     case 3: multiply_columns(A, 0, whole, 3, c, x, y); break;
     case 7: multiply_columns(A, 0, whole, 7, c, x, y); break;
+    case 11: multiply_columns(A, 0, whole, 11, c, x, y); break;
     default: multiply_columns(A, 0, whole, A->kd, c, x, y);
     }
     for (int j = whole; j < n; j++)
@@ -354,4 +355,106 @@ int band_count_below(const struct band *A, const struct band *B, double sigma)
     case 7: return count_below(A, B, sigma, 7);
     default: return count_below(A, B, sigma, A->kd);
     }
+}
+
+/* Column by column: what is left of the matrix takes the change at once, four numbers at a time;
+ * c is filled up with zeros. */
+static INLINE_BODY enum status factor_in_place(struct band *A, int kd)
+{
+    for (int j = 0; j < A->n; j++) {
+        double *a = band_at(A, j, j), c[BAND_COUNT_KD + 5] = {0}, inverse = 1 / a[0];
+        int below = A->n - 1 - j < kd ? A->n - 1 - j : kd;
+
+        if (!(a[0] > 0))
+            return SW_INDEFINITE;
+        for (int i = 1; i <= kd; i++) {
+            c[i] = a[i];
+            a[i] *= inverse;
+        }
+        for (int q = 1; q <= kd; q++) {
+            if (q > below)
+                break;
+            for (int p = q; p <= kd; p += 4)
+                *(four *)(a + (kd + 1) * q + p - q) -= a[q] * *(const four *)(c + p);
+        }
+    }
+    return SW_OK;
+}
+
+static INLINE_BODY void solve_in_place(const struct band *A, int kd, double *x)
+{
+    int whole = A->n > kd ? A->n - kd : 0;
+
+    for (int j = 0; j < A->n; j++) {
+        const double *a = band_at(A, j, j);
+
+        if (j < whole)
+            for (int i = 1; i <= kd; i++)
+                x[j + i] -= a[i] * x[j];
+        else
+            for (int i = 1; j + i < A->n; i++)
+                x[j + i] -= a[i] * x[j];
+    }
+    for (int j = A->n - 1; j >= 0; j--) {
+        const double *a = band_at(A, j, j);
+        double sum = x[j] / a[0];
+
+        if (j < whole)
+            for (int i = 1; i <= kd; i++)
+                sum -= a[i] * x[j + i];
+        else
+            for (int i = 1; j + i < A->n; i++)
+                sum -= a[i] * x[j + i];
+        x[j] = sum;
+    }
+}
+
+static INLINE_BODY enum status factor_in_place_any(struct band *A)
+{
+    switch (A->kd) {
+    case 3: return factor_in_place(A, 3);
+    case 7: return factor_in_place(A, 7);
+    default: return factor_in_place(A, 11);
+    }
+}
+
+static INLINE_BODY void solve_in_place_any(const struct band *A, double *x)
+{
+    if (A->kd == 11)
+        solve_in_place(A, 11, x);
+    else
+        solve_in_place(A, A->kd, x);
+}
+
+static enum status factor_in_place_plain(struct band *A)
+{
+    return factor_in_place_any(A);
+}
+
+FOR_AVX2 static enum status factor_in_place_avx2(struct band *A)
+{
+    return factor_in_place_any(A);
+}
+
+static void solve_in_place_plain(const struct band *A, double *x)
+{
+    solve_in_place_any(A, x);
+}
+
+FOR_AVX2 static void solve_in_place_avx2(const struct band *A, double *x)
+{
+    solve_in_place_any(A, x);
+}
+
+enum status band_factor_in_place(struct band *A)
+{
+    return has_avx2() ? factor_in_place_avx2(A) : factor_in_place_plain(A);
+}
+
+void band_solve_in_place(const struct band *A, double *x)
+{
+    if (has_avx2())
+        solve_in_place_avx2(A, x);
+    else
+        solve_in_place_plain(A, x);
 }

@@ -78,6 +78,12 @@ void band_solve_four(const struct band_factor *F, double *x);
 void band_solve_lower(const struct band_factor *F, double *x);
 void band_solve_upper(const struct band_factor *F, double *x);
 
+/* A := L D L^T in place, L unit lower, D on the diagonal; without LAPACK: for small matrices that
+ * are factored often.  kd is BAND_COUNT_KD at most.  SW_INDEFINITE if a pivot is not positive; A is
+ * then spoilt.  x := A^{-1} x by it. */
+enum status band_factor_in_place(struct band *A);
+void band_solve_in_place(const struct band *A, double *x);
+
 /* How many eigenvalues of A x = lambda B x (B positive definite, half bandwidth not above A's, at
  * most BAND_COUNT_KD) lie below sigma: the negative pivots of A - sigma B = L D L^T (Sylvester).
  * Exact for a pencil that is perturbed by round-off.  No allocation. */

@@ -1,6 +1,6 @@
 /*
- * Two versions of a function from one body: for any processor, and for those with AVX2 and fused
- * multiply-add.  Their results differ in the last digits.
+ * Versions of a function from one body: for any processor, for those with AVX2, and for those with
+ * AVX-512, both with fused multiply-add.  Their results differ in the last digits.
  */
 #ifndef SEILWERK_NUM_SIMD_H
 #define SEILWERK_NUM_SIMD_H
@@ -15,8 +15,21 @@ static inline int has_avx2(void)
 {
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
+#define FOR_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,fma")))
+
+static inline int has_avx512(void)
+{
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+}
 #else
 #define FOR_AVX2
+#define FOR_AVX512
+
+static inline int has_avx512(void)
+{
+    return 0;
+}
 
 static inline int has_avx2(void)
 {

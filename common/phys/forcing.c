@@ -12,11 +12,14 @@ int forcing_any(const struct forcing *f)
 static void value_at(const struct model *m, const struct force *f, double t, double ret[3])
 {
     double space[3] = {f->value[0], f->value[1], f->value[2]};
+    double phase = f->omega * t, omega, rate;
 
     if (f->record)
         series_at(f->record, t, space, NULL, NULL);
+    if (f->sweep)
+        sweep_at(f->sweep, t, &phase, &omega, &rate);
     for (int c = 0; c < 3 && !isnan(f->omega); c++)
-        space[c] *= cos(f->omega * t + f->phase);
+        space[c] *= cos(phase + f->phase);
     axes_to_plane(&m->axes, space, ret);
 }
 

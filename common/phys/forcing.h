@@ -9,12 +9,14 @@
 
 #include "phys/model.h"
 #include "phys/series.h"
+#include "phys/sweep.h"
 
 struct force {
     double position;     /* theta/L0; NAN: uniform along the cable */
     double value[3];     /* [N], or uniform [N] per unstressed metre */
     double omega, phase; /* times cos(omega t + phase) [rad/s], [rad]; omega NAN: constant */
     const struct series *record; /* in place of value, or NULL; not owned */
+    const struct sweep *sweep;   /* in place of omega t unless omega is NAN, or NULL; not owned */
 };
 
 /*

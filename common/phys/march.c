@@ -1,4 +1,4 @@
-/* Central differences in increment form. */
+/* Central differences in increment form; the common front of both schemes. */
 #include "phys/march.h"
 #include "num/dense.h"
 #include "num/mem.h"
@@ -21,18 +21,15 @@ static double dot(size_t n, const double *x, const double *y)
     return sum;
 }
 
-/* b, z and S of the dampers with a coefficient above 0. */
+/* b and c of the dampers with a coefficient above 0, room for the rest. */
 static enum status dampers_new(const struct model *m, const struct march_options *o,
-                               struct inertia *inertia, struct march_dampers *ret)
+                               struct march_dampers *ret)
 {
-    static const double still[6];
     size_t n = model_unknowns(m), r = 0;
-    double *zero, *minus;
-    enum status s = SW_OK;
 
+    *ret = (struct march_dampers){.r = 0};
     for (int i = 0; i < o->n_dampers; i++)
         r += o->damper[i].coefficient > 0;
-    *ret = (struct march_dampers){.r = (int)r};
     if (r == 0)
         return SW_OK;
     ret->c = mem_doubles(r);
@@ -40,29 +37,40 @@ static enum status dampers_new(const struct model *m, const struct march_options
     ret->z = mem_doubles(n * r);
     ret->S = mem_doubles(r * r);
     ret->w = mem_doubles(2 * r);
-    zero = model_vector(m);
-    minus = model_vector(m);
-    if (!ret->c || !ret->b || !ret->z || !ret->S || !ret->w || !zero || !minus)
-        s = SW_NOMEM;
-    r = 0;
-    for (int i = 0; i < o->n_dampers && s == SW_OK; i++) {
-        double direction[3], *b = ret->b + n * r;
+    if (!ret->c || !ret->b || !ret->z || !ret->S || !ret->w)
+        return SW_NOMEM;
+    for (int i = 0; i < o->n_dampers; i++) {
+        double direction[3];
 
         if (!(o->damper[i].coefficient > 0))
             continue;
         damper_direction(&o->damper[i], &m->axes, direction);
-        model_point_load(m, o->damper[i].position, direction, b);
+        model_point_load(m, o->damper[i].position, direction, ret->b + n * (size_t)ret->r);
+        ret->c[ret->r++] = o->damper[i].coefficient;
+    }
+    return SW_OK;
+}
+
+/* z = A^{-1} b and S of the dampers. */
+static enum status dampers_solve(const struct model *m, const struct march_options *o,
+                                 struct inertia *inertia, struct march_dampers *d)
+{
+    static const double still[6];
+    size_t n = model_unknowns(m), r = (size_t)d->r;
+    double *zero = model_vector(m), *minus = model_vector(m);
+    enum status s = zero && minus ? SW_OK : SW_NOMEM;
+
+    for (size_t i = 0; i < r && s == SW_OK; i++) {
         for (size_t j = 0; j < n; j++)
-            minus[j] = -b[j];
-        inertia_solve(inertia, minus, zero, still, ret->z + n * r);
-        ret->c[r++] = o->damper[i].coefficient;
+            minus[j] = -d->b[n * i + j];
+        inertia_solve(inertia, minus, zero, still, d->z + n * i);
     }
     for (size_t i = 0; i < r && s == SW_OK; i++)
         for (size_t j = 0; j < r; j++)
-            ret->S[i + r * j] =
-                dot(n, ret->b + n * i, ret->z + n * j) + (i == j ? 2 * o->dt / ret->c[i] : 0);
-    if (s == SW_OK)
-        s = dense_invert((int)r, ret->S);
+            d->S[i + r * j] =
+                dot(n, d->b + n * i, d->z + n * j) + (i == j ? 2 * o->dt / d->c[i] : 0);
+    if (s == SW_OK && r > 0)
+        s = dense_invert((int)r, d->S);
     free(zero);
     free(minus);
     return s;
@@ -81,10 +89,14 @@ enum status march_new(const struct model *m, const struct march_options *o, stru
     ret->dd = model_vector(m);
     ret->W = model_vector(m);
     s = ret->V && ret->D && ret->F && ret->dd && ret->W ? force_new(m, &ret->forces) : SW_NOMEM;
-    if (s == SW_OK)
+    if (s == SW_OK && o->scheme == SCHEME_CENTRAL)
         s = inertia_new(m, 1 / (dt * dt), 1 / (2 * dt), 1 / dt, o->alpha, o->beta, &ret->inertia);
     if (s == SW_OK)
-        s = dampers_new(m, o, &ret->inertia, &ret->dampers);
+        s = dampers_new(m, o, &ret->dampers);
+    if (s == SW_OK && o->scheme == SCHEME_CENTRAL)
+        s = dampers_solve(m, o, &ret->inertia, &ret->dampers);
+    if (s == SW_OK && o->scheme == SCHEME_ALPHA)
+        s = alpha_new(ret);
     if (s != SW_OK)
         march_free(ret);
     return s;
@@ -104,16 +116,34 @@ void march_free(struct march *m)
     free(m->F);
     free(m->dd);
     free(m->W);
+    alpha_free(m->alpha);
     *m = (struct march){0};
 }
 
 double march_time(const struct march *m)
 {
-    return (double)m->step * m->options.dt;
+    const struct alpha *p = m->alpha;
+
+    return p ? ((double)p->row + (double)p->tick / (double)p->ticks) * m->options.interval
+             : (double)m->step * m->options.dt;
 }
 
-/* Motion of the supports at t in the axes of the line's plane; v and a as in motion_sum. */
-static void supports(const struct march *m, double t, double u[6], double v[6], double a[6])
+int march_at_mark(const struct march *m)
+{
+    return m->alpha ? m->alpha->tick == 0 : m->step % m->options.substeps == 0;
+}
+
+long march_mark(const struct march *m)
+{
+    return m->alpha ? m->alpha->row : m->step / m->options.substeps;
+}
+
+double march_past(const struct march *m)
+{
+    return m->alpha ? m->alpha->past : (double)(m->step - 1) * m->options.dt;
+}
+
+void march_supports(const struct march *m, double t, double u[6], double v[6], double a[6])
 {
     const struct axes *axes = &m->model->axes;
     double *const all[3] = {u, v, a};
@@ -173,11 +203,12 @@ static void add_other_forces(struct march *m)
 {
     const struct forcing *f = &m->options.forcing;
 
-    if (f->wind.cd > 0)
+    if (f->wind.cd > 0 && !m->alpha)
         lagged_velocity(m);
     if (forcing_any(f))
-        forcing_subtract(m->model, f, march_time(m), m->V, m->W, m->F);
-    add_damper_forces(m);
+        forcing_subtract(m->model, f, march_time(m), m->V, m->alpha ? m->alpha->W : m->W, m->F);
+    if (!m->alpha) /* else they are part of C */
+        add_damper_forces(m);
 }
 
 /*
@@ -199,14 +230,31 @@ static enum status first_acceleration(struct march *m, const double a[6])
     return SW_OK;
 }
 
+/* The march has been given V: the same for what belongs to the implicit scheme. */
+static void start_alpha(struct march *m, const double *W0, const double v[6])
+{
+    struct alpha *p = m->alpha;
+    size_t n = model_unknowns(m->model);
+    int held[6];
+
+    for (size_t i = 0; i < n; i++)
+        p->W[i] = W0 ? W0[i] : 0;
+    model_prescribed(m->model, held);
+    for (int i = 0; i < 6; i++)
+        p->W[held[i]] = v[i];
+    p->row = p->tick = 0;
+    p->past = -1;
+    p->settled = 0;
+}
+
 enum status march_start(struct march *m, const double *V0, const double *W0)
 {
     double u[6], v[6], a[6], past[6], dt = m->options.dt;
     int held[6];
     enum status s;
 
-    supports(m, 0, u, v, a);
-    supports(m, -dt, past, NULL, NULL);
+    march_supports(m, 0, u, v, a);
+    march_supports(m, -dt, past, NULL, NULL);
     model_prescribed(m->model, held);
     m->step = 0;
     for (size_t i = 0; i < model_unknowns(m->model); i++) {
@@ -217,6 +265,10 @@ enum status march_start(struct march *m, const double *V0, const double *W0)
     for (int i = 0; i < 6; i++) {
         m->V[held[i]] = u[i];
         m->D[held[i]] = dt * v[i];
+    }
+    if (m->alpha) {
+        start_alpha(m, W0, v);
+        return SW_OK;
     }
     s = first_acceleration(m, a);
     for (size_t i = 0; i < model_unknowns(m->model); i++) {
@@ -230,10 +282,14 @@ enum status march_start(struct march *m, const double *V0, const double *W0)
 
 void march_kick(struct march *m, enum kick kind, double size, const double *shape)
 {
-    double *to = kind == KICK_DISPLACEMENT ? m->V : m->D;
-    double factor = kind == KICK_DISPLACEMENT ? size : size * m->options.dt;
+    double *speed = m->alpha ? m->alpha->W : m->D;
+    double *to = kind == KICK_DISPLACEMENT ? m->V : speed;
+    double factor = kind == KICK_DISPLACEMENT || m->alpha ? size : size * m->options.dt;
     int held[6];
     double keep[6];
+
+    if (m->alpha)
+        m->alpha->settled = 0;
 
     model_prescribed(m->model, held);
     for (int i = 0; i < 6; i++)
@@ -265,6 +321,8 @@ static enum status forces(struct march *m)
     if (seen.least_force < 0 && m->slack_time < 0)
         find_slack(m);
     stretched = m->options.terms > 0 ? fmax(0, seen.most_stiffened) : 0;
+    if (m->alpha)
+        return isfinite(seen.most_stiffened) ? SW_OK : SW_DIVERGED;
     return isfinite(seen.most_stiffened) && w * w * (1 + stretched) <= 4 ? SW_OK : SW_DIVERGED;
 }
 
@@ -276,8 +334,12 @@ enum status march_solve(struct march *m)
 
     if (s != SW_OK)
         return s;
+    if (m->alpha) {
+        add_other_forces(m);
+        return alpha_settle(m);
+    }
     model_prescribed(m->model, held);
-    supports(m, (double)(m->step + 1) * m->options.dt, next, NULL, NULL);
+    march_supports(m, (double)(m->step + 1) * m->options.dt, next, NULL, NULL);
     for (int i = 0; i < 6; i++) /* from V itself: round-off does not add up */
         dd[i] = next[i] - m->V[held[i]] - m->D[held[i]];
     add_other_forces(m);
@@ -288,7 +350,7 @@ enum status march_solve(struct march *m)
 
 const double *march_velocity(struct march *m)
 {
-    return lagged_velocity(m);
+    return m->alpha ? m->alpha->W : lagged_velocity(m);
 }
 
 /* The dampers' part of A dd: c/(2 dt) b (b^T dd) in the rows of the supports. */
@@ -310,6 +372,10 @@ void march_support_change(const struct march *m, double ret[6])
 {
     int held[6];
 
+    if (m->alpha) {
+        alpha_support(m, ret);
+        return;
+    }
     model_prescribed(m->model, held);
     inertia_support(&m->inertia, m->F, m->D, m->dd, ret);
     add_damper_support(m, held, ret);
@@ -328,11 +394,14 @@ void march_support_force(const struct march *m, double ret[6])
     axes_to_space(&m->model->axes, force + 3, ret + 3);
 }
 
-void march_advance(struct march *m)
+enum status march_advance(struct march *m)
 {
+    if (m->alpha)
+        return alpha_advance(m);
     for (size_t i = 0; i < model_unknowns(m->model); i++) {
         m->D[i] += m->dd[i];
         m->V[i] += m->D[i];
     }
     m->step++;
+    return SW_OK;
 }

@@ -1,5 +1,6 @@
 /*
- * Explicit time integration by central differences (Thalheim 4.3; theory section 3, c4).
+ * Time integration: explicit, by central differences (Thalheim 4.3; theory section 3, c4), or
+ * implicit (phys/alpha.h).  Explicit:
  *
  *     A (V(t+dt) - 2 V(t) + V(t-dt)) = R(t) - F_int(V(t)) - C (V(t) - V(t-dt))/dt
  *     A = M/dt^2 + C/(2 dt),  C = alpha M + beta K + dampers
@@ -12,15 +13,22 @@
 #ifndef SEILWERK_PHYS_MARCH_H
 #define SEILWERK_PHYS_MARCH_H
 
+#include "phys/alpha.h"
 #include "phys/damper.h"
 #include "phys/force.h"
 #include "phys/forcing.h"
 #include "phys/inertia.h"
 #include "phys/motion.h"
 
+enum scheme { SCHEME_CENTRAL, SCHEME_ALPHA };
+
 struct march_options {
-    double alpha, beta;          /* Rayleigh damping [1/s], [s] */
-    double dt;                   /* time step [s], > 0 */
+    double alpha, beta; /* Rayleigh damping [1/s], [s] */
+    enum scheme scheme;
+    double dt;                   /* time step [s], > 0; central */
+    double interval;             /* between the times that march_at_mark finds [s] */
+    long substeps;               /* steps in it; alpha: 0 as many as the tolerance asks for */
+    double radius, tolerance;    /* alpha: r, and of the step's error */
     int terms;                   /* 0..3: nonlinear parts F1, F2, F3 taken in */
     const struct motion *motion; /* of the supports; not owned */
     int n_motions;
@@ -45,15 +53,16 @@ struct march {
     struct inertia inertia;
     struct force_table forces;
     struct march_dampers dampers;
-    double omega_max;   /* of the unstretched cable [rad/s] */
-    long step;          /* steps taken; t = step dt */
-    double *V, *D;      /* state and increment */
-    double *F;          /* internal forces less those from outside and with those of the dampers */
-    double *dd;         /* V(t+dt) - 2 V(t) + V(t-dt), set by march_solve */
-    double *W;          /* velocity, for march_velocity and the wind */
-    double slack_time;  /* first time at which EA gamma + T < 0 somewhere, negative: never */
-    double slack_theta; /* and the place */
-    double stiffened;   /* last largest 3 EA gamma/(EA a^2 + T) */
+    double omega_max;    /* of the unstretched cable [rad/s] */
+    long step;           /* steps taken; t = step dt */
+    double *V, *D;       /* state and increment */
+    double *F;           /* internal forces less those from outside and with those of the dampers */
+    double *dd;          /* V(t+dt) - 2 V(t) + V(t-dt), set by march_solve; central */
+    double *W;           /* velocity, for march_velocity and the wind; central */
+    struct alpha *alpha; /* of the implicit scheme, NULL: central; owned */
+    double slack_time;   /* first time at which EA gamma + T < 0 somewhere, negative: never */
+    double slack_theta;  /* and the place */
+    double stiffened;    /* last largest 3 EA gamma/(EA a^2 + T) */
 };
 
 enum kick { KICK_DISPLACEMENT, KICK_VELOCITY };
@@ -74,8 +83,8 @@ enum status march_start(struct march *m, const double *V0, const double *W0);
  * supports' entries of shape are passed over. */
 void march_kick(struct march *m, enum kick kind, double size, const double *shape);
 
-/* Solve for dd at the present time.  SW_DIVERGED where the step is longer than the stretched cable
- * allows, or a number is no longer finite. */
+/* Forces at the present time, and dd.  SW_DIVERGED where the step is longer than the stretched
+ * cable allows (central), or a number is no longer finite. */
 enum status march_solve(struct march *m);
 
 /* After march_solve: velocity (V(t+dt) - V(t-dt))/(2 dt) over all nodes; owned by m. */
@@ -88,8 +97,19 @@ void march_support_force(const struct march *m, double ret[6]);
 /* The same without the static part, in the axes of the line's plane. */
 void march_support_change(const struct march *m, double ret[6]);
 
-/* Step on to t + dt with the solved dd. */
-void march_advance(struct march *m);
+/* Step on, after march_solve.  Central: cannot fail; else as alpha_advance. */
+enum status march_advance(struct march *m);
+
+/* Motion of the supports at t, in the axes of the line's plane, left then right; v and a may be
+ * NULL. */
+void march_supports(const struct march *m, double t, double u[6], double v[6], double a[6]);
+
+/* Whether the present time is a multiple of options.interval; that multiple. */
+int march_at_mark(const struct march *m);
+long march_mark(const struct march *m);
+
+/* Time before the last step [s], negative at the start. */
+double march_past(const struct march *m);
 
 /* Present time [s]. */
 double march_time(const struct march *m);

@@ -20,19 +20,23 @@ static void ramp_at(double ramp, double t, double r[3])
 /* The motion without its ramp: displacement, velocity, acceleration. */
 static void unramped(const struct motion *m, double t, double u[3], double v[3], double a[3])
 {
+    double phase = m->omega * t, omega = m->omega, rate = 0;
+
     if (m->record) {
         series_at(m->record, t, u, v, a);
         return;
     }
+    if (m->sweep)
+        sweep_at(m->sweep, t, &phase, &omega, &rate);
     for (int i = 0; i < 3; i++) {
-        double arg = m->omega * t + m->phase[i];
+        double arg = phase + m->phase[i];
 
         u[i] = v[i] = a[i] = 0;
         if (m->amplitude[i] == 0)
             continue;
         u[i] = m->amplitude[i] * cos(arg);
-        v[i] = -m->amplitude[i] * m->omega * sin(arg);
-        a[i] = -m->omega * m->omega * u[i];
+        v[i] = -m->amplitude[i] * omega * sin(arg);
+        a[i] = -omega * omega * u[i] - m->amplitude[i] * rate * sin(arg);
     }
 }
 

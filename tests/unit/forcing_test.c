@@ -233,7 +233,7 @@ static void damper_damps(void **state)
 /* Everything at once: the balance closes with the square of the step. */
 static void energy_balance(void **state)
 {
-    const struct motion shake[2] = {{SUPPORT_RIGHT, {0.05, 0.02, -0.03}, 9, {0, 1, 2}, 1, NULL},
+    const struct motion shake[2] = {{SUPPORT_RIGHT, {0.05, 0.02, -0.03}, 9, {0, 1, 2}, 1, NULL, NULL},
                                     {SUPPORT_LEFT, {0.01, 0, 0.02}, 5, {0.5, 0, 0}, 0.7, NULL}};
     const struct damper d[2] = {{0.03, {0, 1, 1}, 100}, {0.6, {0, 1, 0}, 3}};
     const struct force f[2] = {{0.4, {1, 5, 3}, 7, 0.2, NULL},

@@ -98,7 +98,7 @@ static void energy_is_constant(void **state)
     model_free(&m);
 }
 
-static const struct motion shake = {SUPPORT_RIGHT, {0.05, 0.01, 0.02}, 9.124, {0.4, 0, 0}, 0, NULL};
+static const struct motion shake = {SUPPORT_RIGHT, {0.05, 0.01, 0.02}, 9.124, {0.4, 0, 0}, 0, NULL, NULL};
 
 /* Error at 1.5 s against a run with 1/16 of the step: falls by 4 when the step is halved. */
 static void order_two(void **state)
@@ -250,7 +250,7 @@ static void rayleigh_decay(void **state)
 static void support_forces(void **state)
 {
     const struct cable c = {112, 2, 1e6, 9.81, 100, 30};
-    struct motion still = {SUPPORT_RIGHT, {0.5, -0.3, 0.8}, 1e-9, {0, 0, 0}, 0, NULL};
+    struct motion still = {SUPPORT_RIGHT, {0.5, -0.3, 0.8}, 1e-9, {0, 0, 0}, 0, NULL, NULL};
     struct model m = new_model(&c, LAW_HOOKE, 40);
     struct march_options o = {.alpha = 0.1,
                               .beta = 1e-4,
@@ -362,7 +362,7 @@ static void critical_step(void **state)
 static void stretched_beyond_the_bound(void **state)
 {
     struct model m = new_model(&seil1, LAW_HOOKE, N);
-    struct motion pull = {SUPPORT_RIGHT, {10, 0, 0}, 1, {PI / 2, 0, 0}, 0, NULL};
+    struct motion pull = {SUPPORT_RIGHT, {10, 0, 0}, 1, {PI / 2, 0, 0}, 0, NULL, NULL};
     struct march_options o = {.alpha = 0,
                               .beta = 0,
                               .dt = 0.9 * march_critical_step(&m),
@@ -391,7 +391,7 @@ static void stretched_beyond_the_bound(void **state)
 static void slack_is_noticed(void **state)
 {
     struct model m = new_model(&seil1, LAW_HOOKE, N);
-    struct motion push = {SUPPORT_RIGHT, {0.5, 0, 0}, 3, {PI / 2, 0, 0}, 0, NULL};
+    struct motion push = {SUPPORT_RIGHT, {0.5, 0, 0}, 3, {PI / 2, 0, 0}, 0, NULL, NULL};
     struct march_options o = {.alpha = 0,
                               .beta = 0,
                               .dt = 0.9 * march_critical_step(&m),
@@ -427,7 +427,7 @@ static double largest(struct march *a, int unknown, double from, double to)
 
 static void pont_de_ben_ahin(void **state)
 {
-    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 7.86, {0, 0, 0}, 0, NULL};
+    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 7.86, {0, 0, 0}, 0, NULL, NULL};
     const double b[6] = {0, 0, 0, 0.05, 0, 0};
     (void)state;
 
@@ -459,7 +459,7 @@ static void pont_de_ben_ahin(void **state)
 /* Point A: v3 limit cycle of 1.20 m from a small disturbance of the first lateral mode. */
 static void seil2_point_a(void **state)
 {
-    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0, NULL};
+    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0, NULL, NULL};
     struct model m = new_model(&seil2, LAW_THESIS, N);
     struct march_options o = {.alpha = 1.0951e-1,
                               .beta = 3.5061e-3,

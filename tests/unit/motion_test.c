@@ -3,7 +3,7 @@
 #include "phys/motion.h"
 
 static const struct motion two[] = {
-    {SUPPORT_RIGHT, {0.05, -0.02, 0.01}, 7.8, {0, 0.3, -1}, 0, NULL},
+    {SUPPORT_RIGHT, {0.05, -0.02, 0.01}, 7.8, {0, 0.3, -1}, 0, NULL, NULL},
     {SUPPORT_LEFT, {0.01, 0.03, 0}, 2.5, {1, 0, 0}, 4, NULL},
 };
 

@@ -183,8 +183,8 @@ static void reference_support(const struct reference *r, double ret[6])
 
 /* Both supports move in all three directions, by little: terms 1 and 2 alone are not bounded. */
 static const struct motion shake[] = {
-    {SUPPORT_RIGHT, {0.02, 0.01, 0.015}, 9.124, {0.4, 0, 1}, 0, NULL},
-    {SUPPORT_LEFT, {0.005, -0.01, 0.01}, 4.9, {1, 2, 0}, 0, NULL},
+    {SUPPORT_RIGHT, {0.02, 0.01, 0.015}, 9.124, {0.4, 0, 1}, 0, NULL, NULL},
+    {SUPPORT_LEFT, {0.005, -0.01, 0.01}, 4.9, {1, 2, 0}, 0, NULL, NULL},
 };
 
 /* How far the march and the reference are apart after STEPS steps, over the largest displacement,
