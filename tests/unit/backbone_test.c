@@ -189,7 +189,8 @@ static struct lateral parametric(const struct model *m, double u0, double ratio,
     const double w = w0(m), period = PI / (ratio * w), L0 = m->line.cable.L0;
     const int substeps = (int)ceil(period / (0.9 * march_critical_step(m)));
     const int end = (int)(12 / (zeta * w) / period), last = end - 40;
-    const struct motion shake = {SUPPORT_RIGHT, {u0, 0, 0}, 2 * ratio * w, {0, 0, 0}, 0, NULL, NULL};
+    const struct motion shake = {SUPPORT_RIGHT, {u0, 0, 0}, 2 * ratio * w, {0, 0, 0}, 0,
+                                 NULL,          NULL};
     struct march_options o = {.alpha = 2 * zeta * w,
                               .dt = period / substeps,
                               .terms = 3,

@@ -23,7 +23,7 @@ static struct model new_model(const struct cable *c, int n)
 static void uniform_force(void **state)
 {
     struct model m = new_model(&bare, 20);
-    struct force f = {NAN, {0, 1, 0}, NAN, NAN, NULL};
+    struct force f = {NAN, {0, 1, 0}, NAN, NAN, NULL, NULL};
     struct forcing forcing = {&f, 1, {.cd = 0}};
     double *V = model_vector(&m);
     struct cable heavy = bare;
@@ -53,7 +53,7 @@ static void point_force(void **state)
     const struct axes plain = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const struct damper at = {0.3, {0, 1, 0}, 0};
     struct model m = new_model(&bare, 200);
-    struct force f = {0.3, {0, 1e-3, 0}, NAN, NAN, NULL};
+    struct force f = {0.3, {0, 1e-3, 0}, NAN, NAN, NULL, NULL};
     struct forcing forcing = {&f, 1, {.cd = 0}};
     double *V = model_vector(&m), v[3], flexibility;
     (void)state;
@@ -112,7 +112,8 @@ static void over_time(void **state)
     const double t[3] = {0, 1, 2}, x[9] = {0, 0, 0, 3, 0, -3, 0, 0, 0};
     struct series record;
     struct model m = new_model(&bare, 4);
-    struct force f[2] = {{0.5, {0, 7, 0}, 2, 0.3, NULL}, {NAN, {0, 0, 0}, NAN, NAN, &record}};
+    struct force f[2] = {{0.5, {0, 7, 0}, 2, 0.3, NULL, NULL},
+                         {NAN, {0, 0, 0}, NAN, NAN, &record, NULL}};
     struct forcing forcing = {f, 2, {.cd = 0}};
     double *V = model_vector(&m), *F = model_vector(&m);
     (void)state;
@@ -233,11 +234,12 @@ static void damper_damps(void **state)
 /* Everything at once: the balance closes with the square of the step. */
 static void energy_balance(void **state)
 {
-    const struct motion shake[2] = {{SUPPORT_RIGHT, {0.05, 0.02, -0.03}, 9, {0, 1, 2}, 1, NULL, NULL},
-                                    {SUPPORT_LEFT, {0.01, 0, 0.02}, 5, {0.5, 0, 0}, 0.7, NULL}};
+    const struct motion shake[2] = {
+        {SUPPORT_RIGHT, {0.05, 0.02, -0.03}, 9, {0, 1, 2}, 1, NULL, NULL},
+        {SUPPORT_LEFT, {0.01, 0, 0.02}, 5, {0.5, 0, 0}, 0.7, NULL, NULL}};
     const struct damper d[2] = {{0.03, {0, 1, 1}, 100}, {0.6, {0, 1, 0}, 3}};
-    const struct force f[2] = {{0.4, {1, 5, 3}, 7, 0.2, NULL},
-                               {NAN, {0, 0.3, 0.5}, NAN, NAN, NULL}};
+    const struct force f[2] = {{0.4, {1, 5, 3}, 7, 0.2, NULL, NULL},
+                               {NAN, {0, 0.3, 0.5}, NAN, NAN, NULL, NULL}};
     struct march_options o = {.alpha = 0.1,
                               .beta = 3e-3,
                               .motion = shake,

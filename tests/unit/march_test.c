@@ -98,7 +98,8 @@ static void energy_is_constant(void **state)
     model_free(&m);
 }
 
-static const struct motion shake = {SUPPORT_RIGHT, {0.05, 0.01, 0.02}, 9.124, {0.4, 0, 0}, 0, NULL, NULL};
+static const struct motion shake = {SUPPORT_RIGHT, {0.05, 0.01, 0.02}, 9.124, {0.4, 0, 0}, 0, NULL,
+                                    NULL};
 
 /* Error at 1.5 s against a run with 1/16 of the step: falls by 4 when the step is halved. */
 static void order_two(void **state)
@@ -459,7 +460,8 @@ static void pont_de_ben_ahin(void **state)
 /* Point A: v3 limit cycle of 1.20 m from a small disturbance of the first lateral mode. */
 static void seil2_point_a(void **state)
 {
-    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0, NULL, NULL};
+    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0,
+                                       NULL,          NULL};
     struct model m = new_model(&seil2, LAW_THESIS, N);
     struct march_options o = {.alpha = 1.0951e-1,
                               .beta = 3.5061e-3,

@@ -4,7 +4,7 @@
 
 static const struct motion two[] = {
     {SUPPORT_RIGHT, {0.05, -0.02, 0.01}, 7.8, {0, 0.3, -1}, 0, NULL, NULL},
-    {SUPPORT_LEFT, {0.01, 0.03, 0}, 2.5, {1, 0, 0}, 4, NULL},
+    {SUPPORT_LEFT, {0.01, 0.03, 0}, 2.5, {1, 0, 0}, 4, NULL, NULL},
 };
 
 static void derivatives_by_differences(void **state)
