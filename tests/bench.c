@@ -109,7 +109,8 @@ static double triad(int n)
 /* Element-steps a second of SEIL2, all terms. */
 static double rate(int n, double beta)
 {
-    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0, NULL, NULL};
+    static const struct motion deck = {SUPPORT_RIGHT, {0.05, 0, 0}, 9.124, {0, 0, 0}, 0,
+                                       NULL,          NULL};
     const double b[6] = {0, 0, 0, 0.05, 0, 0};
     long steps = 8000000 / n;
     struct march_options o = {

@@ -193,6 +193,7 @@ static void run_case(int operand, int argc, char **argv, struct out *o)
     } else {
         print_line(&c, &line, o);
     }
+    opt_list_free(&args.common.sets);
     case_free(&c);
 }
 

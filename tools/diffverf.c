@@ -1,21 +1,22 @@
-/* diffverf: nonlinear vibration of one cable under moving supports, by central differences. */
-#include "form/modeldir.h"
+/* diffverf: nonlinear vibration of one cable under moving supports. */
+#include "form/curve.h"
+#include "form/ensemble.h"
+#include "form/rowsfile.h"
 #include "form/run.h"
 #include "form/start.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define MAX_STEPS 1e15 /* exact in a double, and longer than anyone waits */
+#include <unistd.h>
 
 #define CHECKPOINT 60 /* seconds of wall time between checkpoints, unless an option says else */
 
 static struct {
     struct opt_common common;
-    const char *state, *field;
-    int resume, energy;
-    long checkpoint;
+    const char *state, *field, *points;
+    int resume, energy, steady;
+    long checkpoint, threads;
 } args = {.checkpoint = CHECKPOINT};
 
 static const struct opt options[] = {
@@ -24,6 +25,10 @@ static const struct opt options[] = {
      "take the modes from the model directory of modal", 0, 0},
     {"energy", 0, OPT_FLAG, &args.energy, NULL, "add the energy balance", 0, 0},
     {"field", 0, OPT_TEXT, &args.field, "FILE", "write the displacements of all nodes, .npy", 0, 0},
+    {"steady", 0, OPT_FLAG, &args.steady, NULL, "look for the steady state: one row", 0, 0},
+    {"points", 0, OPT_TEXT, &args.points, "FILE",
+     "steady states of the variations in FILE, a row each", 0, 0},
+    {"threads", 0, OPT_INTEGER, &args.threads, "N", "--points: on N cores (default: all)", 1, 1024},
     {"state", 0, OPT_TEXT, &args.state, "FILE", "keep the state there, also at the end", 0, 0},
     {"checkpoint", 0, OPT_INTEGER, &args.checkpoint, "SECONDS",
      "save the state so often (default 60)", 1, 1000000},
@@ -31,204 +36,28 @@ static const struct opt options[] = {
     OPT_COMMON(&args.common),
 };
 
-static const struct opt_tool tool = {
-    "diffverf", "CASE",
-    "Nonlinear vibration of one cable under moving supports, by central differences.", options};
+static const struct opt_tool tool = {"diffverf", "CASE",
+                                     "Nonlinear vibration of one cable under moving supports.",
+                                     options};
 
 /* What the run works on. */
 static struct cable_case c;
 static struct model model;
 static struct modes modes;
-static struct march march;
+static struct launch launch;
+static struct march *const march = &launch.march;
 static struct energy energy;
-static double *shape, *speed; /* work space over all nodes */
+static struct curve curve; /* of a sweep */
 static struct run files;
 
-/* The time grid: rows of output, steps between them, rows between two fields. */
-struct grid {
-    double dt;
-    long rows, substeps, field_rows;
-};
-
-static struct grid lay_grid(void)
+static void make_model(int modes_wanted)
 {
-    const struct time_plan *t = &c.time;
-    double critical = march_critical_step(&model);
-    double longest = t->step > 0 ? t->step : 0.9 * critical;
-    double substeps = ceil(t->output_every / longest * (1 - 1e-12));
-    double rows = floor(t->end / t->output_every * (1 + 1e-12)) + 1;
-    double dt = t->output_every / substeps;
-
-    if (dt > critical)
-        die(SW_DIVERGED,
-            "t = 0 s: would diverge: the step of %.6g s%s is longer than the critical %.6g s; set "
-            "time.step = auto or to less than that",
-            dt, dt < t->step ? " (time.step, shortened to divide output_every)" : "", critical);
-    if (!(rows * substeps <= MAX_STEPS))
-        die(SW_USAGE, "[time]: %.3g steps are more than can be done", rows * substeps);
-    if (c.n_motions == 0 && c.n_disturbances == 0 && c.n_forces == 0 && !(c.wind.cd > 0) &&
-        c.time.start != START_MODE && c.time.start != START_STATE)
-        warn("nothing moves this cable: no [motion], [disturbance], [force] or [wind], no start in "
-             "a mode");
-    if (rows < 2)
-        warn("time.end comes before the first output_every of %g s: only t = 0 is printed",
-             t->output_every);
-    note("%.0f steps of %.6g s, critical %.6g s", (rows - 1) * substeps, dt, critical);
-    return (struct grid){dt, (long)rows, (long)substeps,
-                         isnan(t->field_every)
-                             ? 1
-                             : (long)fmax(1, round(t->field_every / t->output_every))};
-}
-
-/* Modes for the start and the disturbances, if any of them needs one. */
-static void get_modes(void)
-{
-    int wanted = c.time.start == START_MODE ? c.time.start_mode : 0;
     struct why why;
-    enum status s;
-
-    for (int i = 0; i < c.n_disturbances; i++)
-        if (c.disturbance[i].mode > wanted)
-            wanted = c.disturbance[i].mode;
-    if (args.common.dir) {
-        must(modeldir_read(args.common.dir, &c, &model, &modes, &why), &why);
-        if (wanted > modes.k)
-            die(SW_USAGE, "%s: holds %d modes; mode %d is wanted", args.common.dir, modes.k,
-                wanted);
-    } else if (wanted > 0) {
-        s = modes_lowest(&model, wanted, SOLVER_AUTO, &modes);
-        if (s == SW_ADMISSIBLE)
-            die(s, "mode %d is wanted; more than %d elements allow modes up to %d", wanted,
-                MODES_MAX_ELEMENTS, modes_lanczos_most(c.elements));
-        if (s != SW_OK)
-            die(s, "modes: %s", status_text(s));
-    }
-}
-
-/* shape := mode k (from 1), largest nodal displacement 1 m. */
-static void take_mode(int k)
-{
-    if (modes_unit_shape(&model, &modes, k - 1, shape) != SW_OK)
-        die(SW_USAGE, "mode %d has no displacement at the nodes of this mesh; take more elements",
-            k);
-}
-
-static struct forcing forcing(void)
-{
-    return (struct forcing){c.force, c.n_forces, c.wind};
-}
-
-/* shape := equilibrium for the supports where they are at t = 0, under the forces there. */
-static void find_equilibrium(void)
-{
-    struct forcing outer = forcing();
-    double u[6], b[6];
-    enum status s;
-
-    motion_sum(c.motion, c.n_motions, 0, u, NULL, NULL);
-    axes_to_plane(&model.axes, u, b);
-    axes_to_plane(&model.axes, u + 3, b + 3);
-    s = forcing_equilibrium(&model, &outer, c.terms, b, shape);
-    if (s == SW_ADMISSIBLE)
-        die(s, "the supports at t = 0 leave no static line: span %g m, drop %g m",
-            hypot(c.bare.span + u[3] - u[0], u[5] - u[2]), c.bare.drop + u[4] - u[1]);
-    if (s == SW_NOMEM)
-        die(s, "equilibrium at t = 0: %s", status_text(s));
-    if (s != SW_OK)
-        die(s, "no equilibrium was found for the supports at t = 0; is the cable slack there?  "
-               "time.start = rest with a ramp does without it");
-}
-
-/* The march at t = 0, by [time] start.  path: of the case. */
-static void start_march(const char *path)
-{
-    char *from = c.time.start == START_STATE ? case_beside(path, c.time.start_text) : NULL;
-    struct why why;
-    enum status s;
-
-    if (c.time.start == START_STATE && !from)
-        die(SW_NOMEM, "%s", status_text(SW_NOMEM));
-    if (from && !state_is_there(from))
-        die(SW_USAGE,
-            "[time] start: '%s' is neither static, rest nor mode K AMPLITUDE, and there is no such "
-            "state file",
-            c.time.start_text);
-    if (from)
-        must(state_start(from, &model, shape, speed, &why), &why);
-    else if (c.time.start != START_REST)
-        find_equilibrium();
-    s = march_start(&march, shape, from ? speed : NULL);
-    if (s == SW_OK && c.time.start == START_MODE) {
-        take_mode(c.time.start_mode);
-        march_kick(&march, KICK_DISPLACEMENT, c.time.start_amplitude, shape);
-        memcpy(shape, march.V, sizeof *shape * model_unknowns(&model));
-        /* again: its first increment is that of this deflection */
-        s = march_start(&march, shape, NULL);
-    }
-    if (s != SW_OK)
-        die(s, "start: %s", status_text(s));
-    free(from);
-}
-
-/* path: of the case. */
-static struct grid set_up(const char *path)
-{
-    struct march_options how;
-    struct grid grid;
     enum status s = case_model(&c, &model);
 
     if (s != SW_OK)
         die(s, "model: %s", status_text(s));
-    grid = lay_grid();
-    get_modes();
-    how = (struct march_options){.alpha = c.alpha,
-                                 .beta = c.beta,
-                                 .dt = grid.dt,
-                                 .terms = c.terms,
-                                 .motion = c.motion,
-                                 .n_motions = c.n_motions,
-                                 .damper = c.damper,
-                                 .n_dampers = c.n_dampers,
-                                 .forcing = forcing()};
-    s = march_new(&model, &how, &march);
-    shape = model_vector(&model);
-    speed = model_vector(&model);
-    if (s == SW_OK && (!shape || !speed))
-        s = SW_NOMEM;
-    if (s != SW_OK)
-        die(s, "time integration: %s", status_text(s));
-    if (!args.resume)
-        start_march(path);
-    return grid;
-}
-
-static void apply(const struct disturbance *d)
-{
-    double v[3];
-
-    if (d->mode > 0) {
-        take_mode(d->mode);
-        march_kick(&march, (enum kick)d->kind, d->amplitude[0], shape);
-        return;
-    }
-    memset(shape, 0, sizeof *shape * model_unknowns(&model));
-    axes_to_plane(&model.axes, d->amplitude, v);
-    for (int axis = 0; axis < 3; axis++)
-        shape[6 * d->node + 2 * axis] = v[axis];
-    march_kick(&march, (enum kick)d->kind, 1, shape);
-}
-
-/* Disturbances act at the first step at or after their time. */
-static void disturb(long step, double dt)
-{
-    for (int i = 0; i < c.n_disturbances; i++)
-        if ((double)step == ceil(c.disturbance[i].time / dt * (1 - 1e-12))) {
-            double before = args.energy ? energy_now(&march) : 0;
-
-            apply(&c.disturbance[i]);
-            if (args.energy && energy.started)
-                energy.disturbances += energy_now(&march) - before;
-        }
+    must(launch_modes(&c, args.common.dir, &model, modes_wanted, &modes, &why), &why);
 }
 
 static void print_header(struct out *o)
@@ -252,8 +81,8 @@ static void print_row(double time, struct out *o)
     double row[1 + 4 * MAX_PROBES + 6 + 7] = {time}, *to = row + 1;
 
     for (int p = 0; p < c.time.n_probes; p++, to += 4)
-        model_probe(&model, c.time.probe[p], march.V, to, to + 3);
-    march_support_force(&march, to);
+        model_probe(&model, c.time.probe[p], march->V, to, to + 3);
+    march_support_force(march, to);
     to += 6;
     if (args.energy) {
         const double balance[] = {e->kinetic,      e->strain,     e->supports,    e->loads,
@@ -266,56 +95,108 @@ static void print_row(double time, struct out *o)
     files.mark.rows++;
 }
 
+/* Rows of a run, and how many of them lie between two fields. */
+static struct {
+    long rows, field_rows;
+} plan;
+
+static void lay_plan(void)
+{
+    const struct time_plan *t = &c.time;
+    double end = case_sweeps(&c) ? fmin(t->end, c.sweep.sweep.duration) : t->end;
+
+    plan.rows = (long)fmin(floor(end / t->output_every * (1 + 1e-12)) + 1, 1e15);
+    plan.field_rows =
+        isnan(t->field_every) ? 1 : (long)fmax(1, round(t->field_every / t->output_every));
+}
+
+static void warn_of_plan(void)
+{
+    if (c.n_motions == 0 && c.n_disturbances == 0 && c.n_forces == 0 && !(c.wind.cd > 0) &&
+        c.time.start != START_MODE && c.time.start != START_STATE)
+        warn("nothing moves this cable: no [motion], [disturbance], [force] or [wind], no start in "
+             "a mode");
+    if (plan.rows < 2)
+        warn("time.end comes before the first output_every of %g s: only t = 0 is printed",
+             c.time.output_every);
+    if (march->options.substeps > 0)
+        note("%.0f steps of %.6g s, critical %.6g s",
+             (double)(plan.rows - 1) * (double)march->options.substeps, march->options.dt,
+             march_critical_step(&model));
+}
+
+/* Whether the march is behind its last row. */
+static int is_over(void)
+{
+    return march_mark(march) >= plan.rows ||
+           (march_mark(march) == plan.rows - 1 && !march_at_mark(march));
+}
+
 static void report_slack(void)
 {
-    if (march.slack_time >= 0)
+    if (march->slack_time >= 0)
         warn("slack: the cable would carry compression, first at t = %.6g s, theta = %.6g m; it "
              "cannot, so that what follows is not to be trusted",
-             march.slack_time, march.slack_theta);
+             march->slack_time, march->slack_theta);
 }
 
-__attribute__((noreturn)) static void report_divergence(void)
+static void expect(enum status s)
 {
-    double stable = march_critical_step(&model);
-
-    report_slack();
-    if (!isfinite(march.stiffened))
-        die(SW_DIVERGED,
-            "t = %.9g s: diverged with a step of %.6g s: numbers are no longer finite; look at the "
-            "amplitudes, or set a smaller time.step",
-            march_time(&march), march.options.dt);
-    die(SW_DIVERGED,
-        "t = %.9g s: diverged: the cable is stretched so far that it allows a step of %.6g s only, "
-        "not %.6g s; look at the amplitudes%s, or set a smaller time.step",
-        march_time(&march), stable / sqrt(1 + march.stiffened), march.options.dt,
-        c.terms < 3 ? " (terms = 1 and 2 lack the part that bounds them)" : "");
-}
-
-static void run(const struct grid *grid)
-{
-    long steps = (grid->rows - 1) * grid->substeps;
     struct why why;
 
-    for (long k = march.step; k <= steps && !run_failed(&files); k = march.step) {
-        int row = k % grid->substeps == 0;
+    if (s == SW_OK)
+        return;
+    report_slack();
+    launch_fail(&launch, s, &why);
+    must(s, &why);
+}
 
-        if (row)
+/* Disturbances act at the first step at or after their time. */
+static void disturb(void)
+{
+    for (int i = 0; i < c.n_disturbances; i++)
+        if (launch_disturbance_due(&launch, &c.disturbance[i])) {
+            double before = args.energy ? energy_now(march) : 0;
+
+            launch_disturb(&launch, &c.disturbance[i]);
+            if (args.energy && energy.started)
+                energy.disturbances += energy_now(march) - before;
+        }
+}
+
+/* The march is at a mark: its row, field, progress. */
+static void print_mark(void)
+{
+    long row = march_mark(march);
+
+    if (case_sweeps(&c))
+        files.mark.rows += curve_mark(&curve, march, &files.rows);
+    else
+        print_row((double)row * c.time.output_every, &files.rows);
+    if (args.field && row % plan.field_rows == 0)
+        run_field(&files);
+    progress((double)row / (double)(plan.rows > 1 ? plan.rows - 1 : 1), "diffverf");
+}
+
+static void run(void)
+{
+    struct why why;
+
+    while (!is_over() && !run_failed(&files)) {
+        if (march_at_mark(march))
             must(run_checkpoint(&files, &why), &why);
         if (signals_pending())
             return;
-        disturb(k, grid->dt);
-        if (march_solve(&march) != SW_OK)
-            report_divergence();
+        disturb();
+        expect(march_solve(march));
         if (args.energy)
-            energy_step(&energy, &march, shape);
-        if (row) {
-            print_row((double)(k / grid->substeps) * c.time.output_every, &files.rows);
-            progress((double)k / (double)(steps > 0 ? steps : 1), "diffverf");
-        }
-        if (row && args.field && k / grid->substeps % grid->field_rows == 0)
-            run_field(&files);
-        march_advance(&march);
+            energy_step(&energy, march, launch.shape);
+        if (march_at_mark(march))
+            print_mark();
+        expect(march_advance(march));
     }
+    if (case_sweeps(&c) && c.time.end >= c.sweep.sweep.duration)
+        curve_end(&curve, &files.rows);
     progress_end();
     for (int i = 0; i < c.n_disturbances; i++)
         if (c.disturbance[i].time > c.time.end)
@@ -331,53 +212,196 @@ __attribute__((noreturn)) static void end_by_signal(void)
     progress_end();
     must(run_stop(&files, &why), &why);
     if (files.state)
-        warn("stopped at t = %.9g s; --resume goes on from %s", march_time(&march), files.state);
+        warn("stopped at t = %.9g s; --resume goes on from %s", march_time(march), files.state);
     signals_end(&files.rows);
 }
 
 /* Files of the run; the march is put where the state says. */
-static void open_files(const struct grid *grid)
+static void open_files(void)
 {
     struct why why;
 
     files = (struct run){.c = &c,
-                         .march = &march,
+                         .march = march,
                          .energy = &energy,
                          .rows_path = args.common.out,
                          .field_path = args.field,
                          .state_given = args.state,
                          .columns = args.energy ? "energy" : "",
                          .resume = args.resume,
+                         .mark = {.more = curve.more, .n_more = curve.n_more},
                          .checkpoint = args.checkpoint};
     must(run_prepare(&files, &why), &why);
-    must(run_open(&files, (size_t)((grid->rows - 1) / grid->field_rows + 1), &why), &why);
-    if (!args.resume)
+    must(run_open(&files, (size_t)((plan.rows - 1) / plan.field_rows + 1), &why), &why);
+    if (args.resume)
+        return;
+    if (case_sweeps(&c))
+        curve_header(&curve, &files.rows);
+    else
         print_header(&files.rows);
+}
+
+/* The motion itself, or the response curve of a sweep. */
+static void follow(const char *path)
+{
+    struct why why;
+
+    lay_plan();
+    make_model(launch_modes_wanted(&c));
+    must(launch_new(&c, &model, &modes, c.time.output_every, c.time.end, &launch, &why), &why);
+    warn_of_plan();
+    if (!args.resume)
+        must(launch_start(&launch, path, &why), &why);
+    if (case_sweeps(&c))
+        must(curve_new(&c, &model, &curve, &why), &why);
+    open_files();
+    signals_defer();
+    run();
+    if (signals_pending() && !is_over())
+        end_by_signal();
+    must(run_close(&files, &why), &why);
+    curve_free(&curve);
+}
+
+static int show_progress(double share)
+{
+    progress(share, "diffverf");
+    return 0;
+}
+
+/* One steady state. */
+static void find_steady(const char *path)
+{
+    struct drive drive;
+    struct response response;
+    struct out o;
+    struct why why;
+
+    make_model(launch_modes_wanted(&c));
+    must(drive_of(&c, &model, &drive, &why), &why);
+    must(launch_new(&c, &model, &modes, drive_interval(&drive), response_end(&c, &drive), &launch,
+                    &why),
+         &why);
+    must(launch_start(&launch, path, &why), &why);
+    must(out_open(&o, args.common.out, &why), &why);
+    must(response_find(&launch, &drive, show_progress, &response, &why), &why);
+    progress_end();
+    if (response.kind == STEADY_NONE)
+        warn("no steady state until t = %.6g s", response.time);
+    report_slack();
+    response_header(c.time.n_probes, &o);
+    putc('\n', o.f);
+    response_print(&response, &drive, c.time.n_probes, &o);
+    putc('\n', o.f);
+    must(out_close(&o, &why), &why);
+}
+
+/* Steady states of many points. */
+static struct points points;
+static struct rows_file table;
+static int failed; /* whether a point had no result */
+
+static int deliver(int i, const struct outcome *p)
+{
+    struct why why;
+
+    points_print(&points, i, &table.out);
+    putc(',', table.out.f);
+    if (p->status == SW_OK) {
+        response_print(&p->response, &p->drive, c.time.n_probes, &table.out);
+    } else {
+        report(&p->why);
+        response_print_none(c.time.n_probes, &table.out);
+        failed = 1;
+    }
+    putc('\n', table.out.f);
+    table.next = i + 1;
+    must(rows_file_checkpoint(&table, &why), &why);
+    progress((double)(i + 1) / points.n, "diffverf");
+    return out_failed(&table.out);
+}
+
+static void run_points(const char *path)
+{
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    struct ensemble e = {.points = &points, .model = &model, .modes = &modes, .deliver = deliver};
+    char input[64];
+    int wanted;
+    struct why why;
+
+    must(points_read(args.points, path, &args.common.sets, &points, &why), &why);
+    must(ensemble_modes_wanted(&points, &wanted, &why), &why);
+    make_model(wanted);
+    snprintf(input, sizeof input, "points %lx", points_checksum(&points));
+    table = (struct rows_file){.kind = ROWS_ENSEMBLE,
+                               .c = &c,
+                               .path = args.common.out,
+                               .columns = input,
+                               .resume = args.resume};
+    must(rows_file_open(&table, &why), &why);
+    if (!args.resume) {
+        points_header(&points, &table.out);
+        putc(',', table.out.f);
+        response_header(c.time.n_probes, &table.out);
+        putc('\n', table.out.f);
+    }
+    signals_defer();
+    e.threads = (int)(args.threads > 0 ? args.threads : cores > 0 ? cores : 1);
+    e.first = (int)table.next;
+    must(ensemble_run(&e, &why), &why);
+    progress_end();
+    if (signals_pending() && table.next < points.n) {
+        must(rows_file_stop(&table, &why), &why);
+        if (table.state)
+            warn("stopped; --resume goes on from %s", table.state);
+        signals_end(&table.out);
+    }
+    must(rows_file_close(&table, &why), &why);
+    points_free(&points);
+}
+
+static void judge_options(void)
+{
+    int study = args.steady || args.points;
+
+    if (args.steady && args.points)
+        die(SW_USAGE, "--points looks for steady states already; --steady is for one");
+    if (study && (args.energy || args.field || args.state))
+        die(SW_USAGE, "--energy, --field and --state belong to a motion that is printed");
+    if (args.steady && args.resume)
+        die(SW_USAGE, "--steady has nothing to go on from");
+    if (args.threads > 0 && !args.points)
+        die(SW_USAGE, "--threads belongs to --points");
+    if (study && case_sweeps(&c))
+        die(SW_USAGE, "a [sweep] has no steady state; remove it for --steady and --points");
+    if (args.energy && case_sweeps(&c))
+        die(SW_USAGE, "--energy belongs to a motion that is printed; a [sweep] prints orbits");
+    if (args.energy && c.terms == 1)
+        die(SW_USAGE, "option --energy: terms = 1 has no potential; take 0, 2 or 3");
 }
 
 int main(int argc, char **argv)
 {
-    struct grid grid;
+    int operand = start_options(&tool, &args.common, argc, argv);
+    const char *path;
     struct why why;
 
-    start_case(&tool, &args.common, argc, argv, &c);
-    if (isnan(c.time.end))
-        die(SW_USAGE, "%s: [time] end: is missing", argv[argc - 1]);
-    if (args.energy && c.terms == 1)
-        die(SW_USAGE, "option --energy: terms = 1 has no potential; take 0, 2 or 3");
-    must(case_records(&c, argv[argc - 1], &why), &why);
-    grid = set_up(argv[argc - 1]);
-    open_files(&grid);
-    signals_defer();
-    run(&grid);
-    if (signals_pending() && march.step <= (grid.rows - 1) * grid.substeps)
-        end_by_signal();
-    must(run_close(&files, &why), &why);
-    free(shape);
-    free(speed);
-    march_free(&march);
+    start_load(&tool, &args.common, operand, argc, argv, &c);
+    path = argv[operand];
+    judge_options();
+    if (isnan(c.time.end) && !args.steady && !args.points)
+        die(SW_USAGE, "%s: [time] end: is missing", path);
+    must(case_records(&c, path, &why), &why);
+    if (args.points)
+        run_points(path);
+    else if (args.steady)
+        find_steady(path);
+    else
+        follow(path);
+    opt_list_free(&args.common.sets);
+    launch_free(&launch);
     modes_free(&modes);
     model_free(&model);
     case_free(&c);
-    return 0;
+    return failed;
 }

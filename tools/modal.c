@@ -438,6 +438,7 @@ int main(int argc, char **argv)
     damper_basis_free(&damping);
     modes_free(&modes);
     model_free(&model);
+    opt_list_free(&args.common.sets);
     case_free(&c);
     return 0;
 }

@@ -1,6 +1,6 @@
 /* stabil: maps of parametric resonance of one cable whose supports move. */
-#include "form/mapfile.h"
 #include "form/modeldir.h"
+#include "form/rowsfile.h"
 #include "form/start.h"
 #include "phys/answers.h"
 
@@ -41,7 +41,7 @@ static struct cable_case c;
 static struct model model;
 static struct modes modes;
 static struct map map;
-static struct map_file file;
+static struct rows_file file;
 
 static int is_floquet(void)
 {
@@ -261,7 +261,7 @@ static void run_map(void)
             map_rows_free(&rows[i]);
         }
         file.next += count;
-        must(map_file_checkpoint(&file, &why), &why);
+        must(rows_file_checkpoint(&file, &why), &why);
         progress((double)file.next / (double)all, "stabil");
     }
     progress_end();
@@ -324,13 +324,14 @@ int main(int argc, char **argv)
     start_case(&tool, &args.common, argc, argv, &c);
     judge_options();
     set_up();
-    file = (struct map_file){.c = &c,
-                             .path = args.common.out,
-                             .columns = args.trace    ? "trace"
-                                        : args.growth ? "growth"
-                                                      : "",
-                             .resume = args.resume};
-    must(map_file_open(&file, &why), &why);
+    file = (struct rows_file){.kind = ROWS_MAP,
+                              .c = &c,
+                              .path = args.common.out,
+                              .columns = args.trace    ? "trace"
+                                         : args.growth ? "growth"
+                                                       : "",
+                              .resume = args.resume};
+    must(rows_file_open(&file, &why), &why);
     if (args.answers) {
         run_answers(&file.out);
     } else {
@@ -340,15 +341,16 @@ int main(int argc, char **argv)
         run_map();
     }
     if (signals_pending()) {
-        must(map_file_stop(&file, &why), &why);
+        must(rows_file_stop(&file, &why), &why);
         if (file.state)
             warn("stopped; --resume goes on from %s", file.state);
         signals_end(&file.out);
     }
-    must(map_file_close(&file, &why), &why);
+    must(rows_file_close(&file, &why), &why);
     map_free(&map);
     modes_free(&modes);
     model_free(&model);
+    opt_list_free(&args.common.sets);
     case_free(&c);
     return 0;
 }

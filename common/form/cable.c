@@ -68,13 +68,25 @@ static const struct key keys[] = {
     {"wind", "diameter", NUMBERS, AT(wind.diameter), 1, 1, 1e-6, 1e3, NULL, NULL},
     {"wind", "air_density", NUMBERS, AT(wind.density), 1, 1, 1e-9, 1e5, NULL, NULL},
     {"time", "end", NUMBERS, AT(time.end), 1, 1, 0, BIG, NULL, NULL},
-    {"time", "scheme", WORD, AT(time.scheme), 1, 1, 0, 0, "central", "central"},
+    {"time", "scheme", WORD, AT(time.scheme), 1, 1, 0, 0, "central alpha", "central"},
     {"time", "step", NUMBERS, AT(time.step), 1, 1, 1e-12, BIG, "auto", "auto"},
+    {"time", "radius", NUMBERS, AT(time.radius), 1, 1, 0, 1, NULL, NULL},
+    {"time", "tolerance", NUMBERS, AT(time.tolerance), 1, 1, 1e-12, 1, NULL, NULL},
     {"time", "start", TEXT, AT(time.start_text), 1, 1, 0, 0, NULL, "static"},
     {"time", "output_every", NUMBERS, AT(time.output_every), 1, 1, 1e-12, BIG, NULL, NULL},
     {"time", "field_every", NUMBERS, AT(time.field_every), 1, 1, 1e-12, BIG, NULL, NULL},
     {"time", "probes", NUMBERS, AT(time.probe), 1, MAX_PROBES, 0, 1, NULL, "0.5"},
     {"nonlinear", "terms", WHOLE, AT(terms), 1, 1, 0, 3, NULL, "3"},
+    {"sweep", "from", NUMBERS, AT(sweep.sweep.from), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"sweep", "to", NUMBERS, AT(sweep.sweep.to), 1, 1, 1e-9, BIG, NULL, NULL},
+    {"sweep", "rate", NUMBERS, AT(sweep.sweep.rate), 1, 1, 1e-12, BIG, NULL, NULL},
+    {"sweep", "step", NUMBERS, AT(sweep.sweep.step), 1, 1, 1e-12, BIG, NULL, NULL},
+    {"sweep", "dwell", WHOLE, AT(sweep.sweep.dwell), 1, 1, 1, 1e9, NULL, NULL},
+    {"sweep", "back", WORD, AT(sweep.sweep.back), 1, 1, 0, 0, "no yes", NULL},
+    {"sweep", "seed", NUMBERS, AT(sweep.seed), 1, 1, 0, BIG, NULL, NULL},
+    {"sweep", "window", WHOLE, AT(sweep.window), 1, 1, 1, 1e9, NULL, NULL},
+    {"steady", "tolerance", NUMBERS, AT(steady.tolerance), 1, 1, 1e-12, 1, NULL, "1e-4"},
+    {"steady", "periods", WHOLE, AT(steady.periods), 1, 1, 2, 1e6, NULL, "20"},
     {"stability", "method", WORD, AT(stability.method), 1, 1, 0, 0, "bolotin floquet", "bolotin"},
     {"stability", "theory", WORD, AT(stability.theory), 1, 1, 0, 0, "indifference classical",
      "indifference"},
@@ -192,6 +204,7 @@ enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
 
 void case_free(struct cable_case *c)
 {
+    sweep_free(&c->sweep.sweep);
     free(c->damper);
     free(c->damper_label);
     for (int i = 0; i < c->n_motions; i++)
@@ -222,6 +235,11 @@ enum status case_load(const char *path, const struct opt_list *sets, struct cabl
     return s;
 }
 
+int case_sweeps(const struct cable_case *c)
+{
+    return !isnan(c->sweep.sweep.from);
+}
+
 const struct key *case_model_key(const char *name)
 {
     const char *dot = strchr(name, '.');
@@ -236,6 +254,22 @@ const struct key *case_model_key(const char *name)
             return &keys[i];
     }
     return NULL;
+}
+
+int case_knows(const char *name)
+{
+    const struct reading r = {NULL, NULL, keys, N_KEYS, LABELLED, NULL};
+    const char *dot = strrchr(name, '.');
+    char section[KEYS_LABEL_BYTES];
+
+    if (!dot || dot - name >= KEYS_LABEL_BYTES)
+        return 0;
+    memcpy(section, name, (size_t)(dot - name));
+    section[dot - name] = '\0';
+    for (int i = 0; i < N_KEYS; i++)
+        if (section_is(section, keys[i].section) && strcmp(dot + 1, keys[i].name) == 0)
+            return strcmp(section, keys[i].section) == 0 || section_labelled(&r, section);
+    return 0;
 }
 
 enum status case_model_defaults(const struct opt_list *sets, struct cable_case *c, struct why *why)

@@ -45,8 +45,9 @@ struct force_section {
 
 struct time_plan {
     double end;                       /* [s], NAN if not given */
-    int scheme;                       /* 0: central differences */
+    int scheme;                       /* enum scheme */
     double step;                      /* [s], 0: auto */
+    double radius, tolerance;         /* of scheme alpha, else NAN */
     char start_text[KEYS_TEXT_BYTES]; /* as written */
     enum time_start start;            /* START_STATE: start_text is the file's name */
     int start_mode;                   /* from 1 */
@@ -83,6 +84,19 @@ struct stability {
     double amplitude_start, amplitude_end, amplitude_step; /* [m] */
 };
 
+/* [sweep]: the frequency of all harmonic motions and forces changes slowly. */
+struct sweep_plan {
+    struct sweep sweep; /* from NAN: none */
+    double seed;        /* the first lateral mode is kept at this amplitude at least [m] */
+    int window;         /* periods that make a row */
+};
+
+/* [steady]: when a motion counts as steady. */
+struct steady_plan {
+    double tolerance;
+    int periods;
+};
+
 struct cable_case {
     struct cable bare;           /* as given, before load and expansion; L0, EA resolved */
     double youngs_modulus, area; /* NAN if axial_stiffness was given */
@@ -109,11 +123,16 @@ struct cable_case {
     struct wind wind;    /* cd NAN: none */
     struct time_plan time;
     int terms;
+    struct sweep_plan sweep;
+    struct steady_plan steady;
     struct stability stability;
     struct disturbance *disturbance;
     char (*disturbance_label)[KEYS_LABEL_BYTES];
     int n_disturbances;
 };
+
+/* Whether the case has a [sweep]. */
+int case_sweeps(const struct cable_case *c);
 
 /* Read the case at path ("-": stdin), apply the --set assignments, judge and resolve it.
  * SW_FORMAT, SW_USAGE, SW_READ, SW_ADMISSIBLE, SW_NOMEM with file and line in why; *ret then owns
@@ -128,6 +147,9 @@ enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
 /* The key of a model section ([cable], [supports], [gravity], [load], [mesh]) by its name, with or
  * without "section."; NULL: there is none. */
 const struct key *case_model_key(const char *name);
+
+/* Whether SECTION.KEY is a key of a case; the section may carry a label where it takes one. */
+int case_knows(const char *name);
 
 /* The model sections of *c: all defaults, then those of the --set assignments, which may set no
  * other section.  Not resolved.  SW_USAGE, SW_NOMEM. */

@@ -196,7 +196,7 @@ static enum status resolve_damper(const struct reading *r, const char *section,
 }
 
 static enum status resolve_motion(const struct reading *r, const char *section,
-                                  struct motion_section *p)
+                                  const struct sweep_plan *sweep, struct motion_section *p)
 {
     struct motion *m = &p->motion;
 
@@ -208,6 +208,8 @@ static enum status resolve_motion(const struct reading *r, const char *section,
     }
     if (isnan(m->amplitude[0]))
         return keys_fail(r, section, "amplitude", "is missing");
+    if (isnan(m->omega))
+        m->omega = sweep->sweep.from; /* the sweep's, if there is one */
     if (isnan(m->omega))
         return keys_fail(r, section, "omega", "is missing");
     if (!isnan(m->phase[1]) && isnan(m->phase[2]))
@@ -252,17 +254,70 @@ static enum status resolve_wind(const struct reading *r, struct wind *w)
     return SW_OK;
 }
 
+/* Which of the two kinds of sweep it is, and that all its keys are there. */
+static enum status judge_sweep(const struct reading *r, const struct sweep_plan *p)
+{
+    const struct sweep *s = &p->sweep;
+    int steps = !isnan(s->step) || s->dwell >= 0;
+
+    if (isnan(s->from))
+        return keys_fail(r, "sweep", "from", "is missing");
+    if (isnan(s->to))
+        return keys_fail(r, "sweep", "to", "is missing");
+    if (s->from == s->to)
+        return keys_fail(r, "sweep", "to", "must not equal from");
+    if (steps == !isnan(s->rate))
+        return keys_fail(r, "sweep", "rate", "give either rate, or step and dwell");
+    if (steps && isnan(s->step))
+        return keys_fail(r, "sweep", "step", "is missing");
+    if (steps && s->dwell < 0)
+        return keys_fail(r, "sweep", "dwell", "is missing");
+    if (steps && s->dwell < p->window)
+        return keys_fail(r, "sweep", "window", "is longer than dwell");
+    return SW_OK;
+}
+
+static enum status resolve_sweep(const struct reading *r, struct cable_case *c)
+{
+    struct sweep_plan *p = &c->sweep;
+    struct sweep *s = &p->sweep;
+    enum status status;
+
+    if (isnan(s->from) && isnan(s->to) && isnan(s->rate) && isnan(s->step) && s->dwell < 0 &&
+        s->back < 0 && isnan(p->seed) && p->window < 0)
+        return SW_OK;
+    if (isnan(p->seed))
+        p->seed = 1e-4;
+    if (s->back < 0)
+        s->back = 0;
+    if (p->window < 0)
+        p->window = s->dwell >= 0 && s->dwell < 10 ? s->dwell : 10;
+    status = judge_sweep(r, p);
+    if (status != SW_OK)
+        return status;
+    status = sweep_new(s);
+    return status == SW_OK ? SW_OK
+                           : keys_fail(r, "sweep", "step",
+                                       status == SW_NOMEM ? status_text(status)
+                                                          : "makes more than 1e7 frequencies");
+}
+
 /* The motions and forces of their sections, side by side; records come later. */
 static enum status collect(const struct reading *r, struct cable_case *c)
 {
     double cold = c->bare.L0 / c->cable.L0;
+    int swept = 0;
 
     c->motion = mem_zeroed((size_t)c->n_motions, sizeof *c->motion);
     c->force = mem_zeroed((size_t)c->n_forces, sizeof *c->force);
     if (!c->motion || !c->force)
         return fail_plain(r->why, SW_NOMEM);
-    for (int i = 0; i < c->n_motions; i++)
+    for (int i = 0; i < c->n_motions; i++) {
         c->motion[i] = c->motion_section[i].motion;
+        swept += c->motion_section[i].file[0] == '\0';
+        if (case_sweeps(c) && c->motion_section[i].file[0] == '\0')
+            c->motion[i].sweep = &c->sweep.sweep;
+    }
     for (int i = 0; i < c->n_forces; i++) {
         const struct force_section *p = &c->force_section[i];
         double scale = p->position > 0 ? 1 : cold; /* per metre before expansion, and after it */
@@ -273,8 +328,11 @@ static enum status collect(const struct reading *r, struct cable_case *c)
                            p->omega,
                            p->phase,
                            NULL,
-                           NULL};
+                           case_sweeps(c) ? &c->sweep.sweep : NULL};
+        swept += !isnan(p->omega);
     }
+    if (case_sweeps(c) && swept == 0)
+        return keys_fail(r, "sweep", "from", "there is no harmonic [motion] or [force] to sweep");
     return SW_OK;
 }
 
@@ -303,9 +361,11 @@ static double output_interval(const struct cable_case *c)
     double omega = 0;
     struct line line;
 
-    for (int i = 0; i < c->n_motions; i++)
+    if (case_sweeps(c))
+        omega = fmax(c->sweep.sweep.from, c->sweep.sweep.to);
+    for (int i = 0; i < c->n_motions && !case_sweeps(c); i++)
         omega = fmax(omega, c->motion[i].omega);
-    for (int i = 0; i < c->n_forces; i++)
+    for (int i = 0; i < c->n_forces && !case_sweeps(c); i++)
         omega = fmax(omega, c->force[i].omega);
     if (omega == 0 && line_solve(&c->cable, &line) == SW_OK)
         omega = PI / c->cable.span * sqrt(line.H * c->cable.span / (c->cable.mu * c->cable.L0));
@@ -325,6 +385,20 @@ static enum status resolve_probes(const struct reading *r, struct time_plan *t)
                : keys_fail(r, "time", "probes", "the list, printed, is longer than 198 bytes");
 }
 
+/* What belongs to one scheme only. */
+static enum status resolve_scheme(const struct reading *r, struct time_plan *t)
+{
+    if (t->scheme == SCHEME_ALPHA) {
+        t->radius = isnan(t->radius) ? 0.8 : t->radius;
+        t->tolerance = isnan(t->tolerance) ? 2e-5 : t->tolerance;
+    } else if (!isnan(t->radius)) {
+        return keys_fail(r, "time", "radius", "belongs to scheme = alpha");
+    } else if (!isnan(t->tolerance)) {
+        return keys_fail(r, "time", "tolerance", "belongs to scheme = alpha");
+    }
+    return SW_OK;
+}
+
 static enum status resolve_time(const struct reading *r, struct cable_case *c)
 {
     struct time_plan *t = &c->time;
@@ -333,10 +407,14 @@ static enum status resolve_time(const struct reading *r, struct cable_case *c)
     long k = 0;
     enum status s = resolve_probes(r, t);
 
+    if (s == SW_OK)
+        s = resolve_scheme(r, t);
     if (s != SW_OK)
         return s;
     if (!isnan(t->end) && !(t->end > 0))
         return keys_fail(r, "time", "end", "must be positive");
+    if (isnan(t->end) && case_sweeps(c))
+        t->end = c->sweep.sweep.duration;
     if (strcmp(t->start_text, "static") == 0)
         t->start = START_STATIC;
     else if (strcmp(t->start_text, "rest") == 0)
@@ -390,10 +468,12 @@ enum status case_resolve(const struct reading *r, struct cable_case *c)
 
     if (s == SW_OK)
         s = resolve_damping(r, c);
+    if (s == SW_OK)
+        s = resolve_sweep(r, c);
     for (int i = 0; i < c->n_dampers && s == SW_OK; i++)
         s = resolve_damper(r, c->damper_label[i], &c->damper[i]);
     for (int i = 0; i < c->n_motions && s == SW_OK; i++)
-        s = resolve_motion(r, c->motion_label[i], &c->motion_section[i]);
+        s = resolve_motion(r, c->motion_label[i], &c->sweep, &c->motion_section[i]);
     for (int i = 0; i < c->n_forces && s == SW_OK; i++)
         s = resolve_force(r, c->force_label[i], &c->force_section[i]);
     if (s == SW_OK)

@@ -38,7 +38,6 @@ void start_load(const struct opt_tool *tool, struct opt_common *common, int oper
     if (operand != argc - 1)
         opt_usage(tool);
     must(case_load(argv[operand], &common->sets, ret, &why), &why);
-    opt_list_free(&common->sets);
     warn_of_units(ret);
     if (ret->found)
         note("unstressed length %.12g m", ret->bare.L0);
@@ -49,6 +48,7 @@ void start_load(const struct opt_tool *tool, struct opt_common *common, int oper
         case_print(ret, &o);
         must(out_close(&o, &why), &why);
         case_free(ret);
+        opt_list_free(&common->sets);
         exit(0);
     }
 }

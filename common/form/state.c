@@ -1,5 +1,6 @@
 /* The state of a march: written, resumed, started from. */
 #include "form/state.h"
+#include "num/hash.h"
 #include "num/mem.h"
 #include "sys/in.h"
 #include "sys/npy.h"
@@ -11,15 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#define VERSION 1
-
-/* FNV-1a. */
-static uint64_t mix(uint64_t hash, const char *text, size_t length)
-{
-    for (size_t i = 0; i < length; i++)
-        hash = (hash ^ (unsigned char)text[i]) * 1099511628211u;
-    return hash;
-}
+#define VERSION 4 /* 2 and 3 are those of rowsfile.h */
 
 enum status state_checksum(const struct cable_case *c, const char *extra, double *ret_high,
                            double *ret_low, struct why *why)
@@ -38,7 +31,7 @@ enum status state_checksum(const struct cable_case *c, const char *extra, double
         free(text);
         return fail_plain(why, SW_NOMEM);
     }
-    hash = mix(mix(14695981039346656037u, text, length), extra, strlen(extra));
+    hash = hash_more(hash_more(HASH_START, text, length), extra, strlen(extra));
     free(text);
     *ret_high = (double)(hash >> 32);
     *ret_low = (double)(hash & 0xffffffff);
@@ -49,7 +42,7 @@ static void put_energy(const struct energy *e, double *to)
 {
     const double all[] = {e->kinetic,      e->strain,     e->supports, e->loads,
                           e->disturbances, e->dissipated, e->start,    e->power[0],
-                          e->power[1],     e->power[2],   e->started};
+                          e->power[1],     e->power[2],   e->started,  e->time};
 
     memcpy(to, all, sizeof all);
 }
@@ -64,7 +57,46 @@ static void take_energy(const double *from, struct energy *e)
                          .dissipated = from[5],
                          .start = from[6],
                          .power = {from[7], from[8], from[9]},
-                         .started = from[10] != 0};
+                         .started = from[10] != 0,
+                         .time = from[11]};
+}
+
+/* What the scheme of m goes on with. */
+static void put_march(const struct march *m, double *all)
+{
+    const struct alpha *p = m->alpha;
+    size_t n = model_unknowns(m->model);
+    const double *part[3] = {m->V, p ? p->W : m->D, p ? p->A : m->dd};
+
+    for (int i = 0; i < 3; i++)
+        memcpy(all + STATE_HEAD + n * (size_t)i, part[i], sizeof *all * n);
+    all[STATE_SCHEME] = m->options.scheme;
+    if (!p)
+        return;
+    all[STATE_MARK] = (double)p->row;
+    all[STATE_TICK] = (double)p->tick;
+    all[STATE_STRIDE] = (double)p->stride;
+    all[STATE_SCALE] = p->scale;
+    all[STATE_PAST] = p->past;
+    all[STATE_SETTLED] = p->settled;
+}
+
+static void take_march(const double *all, struct march *m)
+{
+    struct alpha *p = m->alpha;
+    size_t n = model_unknowns(m->model);
+    double *part[3] = {m->V, p ? p->W : m->D, p ? p->A : m->dd};
+
+    for (int i = 0; i < 3; i++)
+        memcpy(part[i], all + STATE_HEAD + n * (size_t)i, sizeof *all * n);
+    if (!p)
+        return;
+    p->row = (long)all[STATE_MARK];
+    p->tick = (long)all[STATE_TICK];
+    p->stride = (long)all[STATE_STRIDE];
+    p->scale = all[STATE_SCALE];
+    p->past = all[STATE_PAST];
+    p->settled = all[STATE_SETTLED] != 0;
 }
 
 enum status state_write(const char *path, const struct cable_case *c, const char *extra,
@@ -72,7 +104,8 @@ enum status state_write(const char *path, const struct cable_case *c, const char
                         const struct progress_mark *mark, struct why *why)
 {
     size_t n = model_unknowns(m->model);
-    double *all = mem_doubles(STATE_HEAD + 3 * n);
+    size_t size = STATE_HEAD + 3 * n + mark->n_more;
+    double *all = mem_doubles(size);
     struct out o;
     enum status s = all ? state_checksum(c, extra, &all[STATE_CASE_HIGH], &all[STATE_CASE_LOW], why)
                         : fail_plain(why, SW_NOMEM);
@@ -91,12 +124,12 @@ enum status state_write(const char *path, const struct cable_case *c, const char
     all[STATE_SLACK_TIME] = m->slack_time;
     all[STATE_SLACK_THETA] = m->slack_theta;
     put_energy(e, all + STATE_ENERGY);
-    memcpy(all + STATE_HEAD, m->V, sizeof *all * n);
-    memcpy(all + STATE_HEAD + n, m->D, sizeof *all * n);
-    memcpy(all + STATE_HEAD + 2 * n, m->dd, sizeof *all * n);
+    put_march(m, all);
+    if (mark->n_more > 0)
+        memcpy(all + STATE_HEAD + 3 * n, mark->more, sizeof *all * mark->n_more);
     s = out_open(&o, path, why);
     if (s == SW_OK) {
-        npy_write(&o, 1, STATE_HEAD + 3 * n, 1, all);
+        npy_write(&o, 1, size, 1, all);
         s = out_close(&o, why);
     }
     free(all);
@@ -115,10 +148,10 @@ static enum status read_state(const char *path, const struct model *m, struct np
     if (s != SW_OK)
         return s;
     s = npy_read(&in, ret, why);
-    if (s == SW_OK && (ret->columns != 1 || ret->rows < STATE_HEAD ||
-                       ret->data[STATE_VERSION] != VERSION || (ret->rows - STATE_HEAD) % 3 != 0))
+    if (s == SW_OK &&
+        (ret->columns != 1 || ret->rows < STATE_HEAD || ret->data[STATE_VERSION] != VERSION))
         s = fail(why, SW_FORMAT, "%s: is no state of diffverf", path);
-    if (s == SW_OK && (ret->data[STATE_ELEMENTS] != m->n || ret->rows != STATE_HEAD + 3 * n ||
+    if (s == SW_OK && (ret->data[STATE_ELEMENTS] != m->n || ret->rows < STATE_HEAD + 3 * n ||
                        !(ret->data[STATE_DT] > 0)))
         s = fail(why, SW_FORMAT, "%s: is the state of %g elements; the case has %d", path,
                  ret->data[STATE_ELEMENTS], m->n);
@@ -142,7 +175,7 @@ enum status state_resume(const char *path, const struct cable_case *c, const cha
     if (s != SW_OK)
         return s;
     if (a.data[STATE_CASE_HIGH] != high || a.data[STATE_CASE_LOW] != low ||
-        a.data[STATE_DT] != m->options.dt) {
+        a.data[STATE_DT] != m->options.dt || a.rows != STATE_HEAD + 3 * n + mark->n_more) {
         s = fail(why, SW_FORMAT,
                  "%s: is the state of another case, or of other options; only time.end may change",
                  path);
@@ -150,12 +183,13 @@ enum status state_resume(const char *path, const struct cable_case *c, const cha
         m->step = (long)a.data[STATE_STEP];
         m->slack_time = a.data[STATE_SLACK_TIME];
         m->slack_theta = a.data[STATE_SLACK_THETA];
-        *mark = (struct progress_mark){(long)a.data[STATE_ROWS], (long)a.data[STATE_BYTES],
-                                       (long)a.data[STATE_FIELDS]};
+        mark->rows = (long)a.data[STATE_ROWS];
+        mark->bytes = (long)a.data[STATE_BYTES];
+        mark->fields = (long)a.data[STATE_FIELDS];
+        if (mark->n_more > 0)
+            memcpy(mark->more, a.data + STATE_HEAD + 3 * n, sizeof *mark->more * mark->n_more);
         take_energy(a.data + STATE_ENERGY, e);
-        memcpy(m->V, a.data + STATE_HEAD, sizeof *m->V * n);
-        memcpy(m->D, a.data + STATE_HEAD + n, sizeof *m->D * n);
-        memcpy(m->dd, a.data + STATE_HEAD + 2 * n, sizeof *m->dd * n);
+        take_march(a.data, m);
     }
     npy_free(&a);
     return s;
@@ -209,7 +243,8 @@ enum status state_start(const char *path, const struct model *m, double *V, doub
         const double *at = a.data + STATE_HEAD + i;
 
         V[i] = at[0];
-        W[i] = (at[n] + at[2 * n] / 2) / a.data[STATE_DT];
+        W[i] = a.data[STATE_SCHEME] == SCHEME_ALPHA ? at[n]
+                                                    : (at[n] + at[2 * n] / 2) / a.data[STATE_DT];
     }
     npy_free(&a);
     return s;

@@ -3,7 +3,8 @@
  * another one starts.
  *
  * A NumPy vector: a head of STATE_HEAD numbers (enum state_head), then V, D and dd over all nodes
- * (phys/march.h).
+ * (phys/march.h), of the implicit scheme V, velocity and acceleration, then more numbers of the
+ * run.
  */
 #ifndef SEILWERK_FORM_STATE_H
 #define SEILWERK_FORM_STATE_H
@@ -23,13 +24,22 @@ enum state_head {
     STATE_FIELDS, /* columns of --field written */
     STATE_SLACK_TIME,
     STATE_SLACK_THETA,
-    STATE_ENERGY, /* 11 numbers of struct energy */
-    STATE_HEAD = 24
+    STATE_ENERGY, /* 12 numbers of struct energy */
+    STATE_SCHEME = STATE_ENERGY + 12,
+    STATE_MARK, /* the rest: of the implicit scheme, see struct alpha */
+    STATE_TICK,
+    STATE_STRIDE,
+    STATE_SCALE,
+    STATE_PAST,
+    STATE_SETTLED,
+    STATE_HEAD = 40
 };
 
 /* What goes with the march itself. */
 struct progress_mark {
     long rows, bytes, fields;
+    double *more; /* (n_more) of the run; not owned */
+    size_t n_more;
 };
 
 /* Two halves of a checksum of the resolved case without time.end, and of extra.  SW_NOMEM. */

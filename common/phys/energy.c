@@ -78,7 +78,7 @@ void energy_step(struct energy *e, struct march *m, double *work)
 {
     const double *W = march_velocity(m);
     double power[3] = {support_power(m, W), load_power(m, W, work), dissipation(m, W)};
-    double half = m->options.dt / 2;
+    double half = (march_time(m) - e->time) / 2;
 
     e->kinetic = kinetic_energy(m->model, W);
     e->strain = strain_energy(m->model, m->options.terms, m->V);
@@ -91,6 +91,7 @@ void energy_step(struct energy *e, struct march *m, double *work)
         e->started = 1;
     }
     memcpy(e->power, power, sizeof power);
+    e->time = march_time(m);
 }
 
 double energy_now(struct march *m)

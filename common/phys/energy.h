@@ -15,6 +15,7 @@ struct energy {
     double kinetic, strain;                           /* at the last step [J] */
     double supports, loads, disturbances, dissipated; /* since the start [J] */
     double start;                                     /* kinetic + strain of the first step [J] */
+    double time;                                      /* of the last step [s] */
     double power[3];                                  /* of supports, loads, dissipation [W] */
     int started;
 };

@@ -22,7 +22,7 @@ struct force_table {
     double factor[GAUSS][3]; /* Hermite slopes: of the difference of the ends, of both slopes */
     double *material; /* (groups, GAUSS, 5, 4): x1, x2, weighted EA and T, stiffening; owned */
     struct tangent_entry entry[78]; /* of the lower half of 12 x 12 */
-    double *v, *f;    /* unknowns and forces by component, (6, 4 groups + 4); owned */
+    double *v, *f;                  /* unknowns and forces by component, (6, 4 groups + 4); owned */
 };
 
 /* Extremes met: both for the sign and the largest value only. */

@@ -40,6 +40,7 @@ static void carve(struct lanes *p, double *memory)
     p->Y = p->D + 6 * nodes;
     p->factor = p->Y + 6 * nodes;
     p->support = p->factor + (p->beta ? BLOCK * nodes : 0);
+    p->motion = (struct lanes_motion *)(void *)(p->support + 2 * SUPPORT);
 }
 
 /* Blocks of one part's factor: width unknowns a node, from F to every stride-th double of to. */
@@ -76,15 +77,17 @@ static void take_column(const struct band *A, int width, int node, int next, int
         *to = band_get(A, width * next + r, at);
 }
 
-enum status lanes_new(const struct model *m, int terms, int beta, struct lanes *ret)
+enum status lanes_new(const struct model *m, int terms, int beta, int n_motions, struct lanes *ret)
 {
-    size_t nodes = (size_t)m->n + 1, vectors = (size_t)(18 + (beta ? BLOCK : 0)) * nodes + 2 * SUPPORT;
+    size_t nodes = (size_t)m->n + 1,
+           vectors = (size_t)(18 + (beta ? BLOCK : 0)) * nodes + 2 * SUPPORT +
+                     (size_t)n_motions * sizeof(struct lanes_motion) / sizeof(lanes_vector);
     double h = m->h, unit = m->line.cable.mu * h / 420;
     const double assembled[] = {312, 54, 13 * h, 8 * h * h, 3 * h * h, 22 * h, 4 * h * h};
     struct inertia mass;
     enum status s = SW_OK;
 
-    *ret = (struct lanes){.model = m, .terms = terms, .beta = beta};
+    *ret = (struct lanes){.model = m, .terms = terms, .beta = beta, .n_motions = n_motions};
     ret->memory = mem_doubles(LANES * (vectors + 1));
     ret->material = mem_doubles((size_t)m->n * GAUSS * N_FIELDS);
     ret->mass_factor = mem_doubles(PAIR * nodes);
@@ -145,11 +148,72 @@ void lanes_clear(struct lanes *p, int i)
         p->factor[j][i] = 0;
     for (size_t j = 0; j < 2 * SUPPORT; j++)
         p->support[j][i] = 0;
-    for (int j = 0; j < 6; j++)
-        p->next[j][i] = 0;
+    for (int j = 0; j < p->n_motions; j++) {
+        lanes_vector *v = &p->motion[j].c; /* nothing but vectors */
+
+        for (size_t k = 0; k < sizeof(struct lanes_motion) / sizeof *v; k++)
+            v[k][i] = 0;
+    }
+    p->ramps[i] = p->n_source[i] = 0;
+    p->dt[i] = 0;
+    p->step[i] = 0;
     p->gamma[i] = p->bad[i] = p->slack[i] = 0;
     p->scale[i] = 1;
     p->limit[i] = INFINITY;
+}
+
+/* Ramps of lane i at the end of the next step; those that are over stay so. */
+static void ramp(struct lanes *p, int i)
+{
+    double t = (double)(p->step[i] + 1) * p->dt[i];
+
+    p->ramps[i] = 0;
+    for (int j = 0; j < p->n_source[i]; j++) {
+        p->motion[j].r[i] = motion_ramp(&p->source[i][j], t);
+        p->ramps[i] |= t < p->source[i][j].ramp;
+    }
+}
+
+void lanes_tune(struct lanes *p, int i)
+{
+    double t = (double)p->step[i] * p->dt[i];
+
+    for (int j = 0; j < p->n_source[i]; j++) {
+        double omega = p->source[i][j].omega;
+
+        p->motion[j].c[i] = cos(omega * t);
+        p->motion[j].s[i] = sin(omega * t);
+    }
+}
+
+/* The motions of m, at its present step. */
+static void put_motions(struct lanes *p, int i, const struct march *m)
+{
+    p->source[i] = m->options.motion;
+    p->n_source[i] = m->options.n_motions;
+    p->dt[i] = m->options.dt;
+    p->step[i] = m->step;
+    for (int j = 0; j < p->n_source[i]; j++) {
+        const struct motion *from = &p->source[i][j];
+        struct lanes_motion *to = &p->motion[j];
+        double u[3], v[3], re[3], im[3];
+        int at = from->support == SUPPORT_LEFT ? 0 : 3;
+
+        for (int c = 0; c < 3; c++) {
+            u[c] = from->amplitude[c] * cos(from->phase[c]);
+            v[c] = -from->amplitude[c] * sin(from->phase[c]);
+        }
+        axes_to_plane(&p->model->axes, u, re);
+        axes_to_plane(&p->model->axes, v, im);
+        for (int c = 0; c < 3; c++) {
+            to->p[at + c][i] = re[c];
+            to->q[at + c][i] = im[c];
+        }
+        to->dc[i] = cos(from->omega * p->dt[i]);
+        to->ds[i] = sin(from->omega * p->dt[i]);
+    }
+    lanes_tune(p, i);
+    ramp(p, i);
 }
 
 void lanes_put(struct lanes *p, int i, const struct march *m)
@@ -161,6 +225,7 @@ void lanes_put(struct lanes *p, int i, const struct march *m)
     int n = p->model->n;
 
     lanes_clear(p, i);
+    put_motions(p, i, m);
     for (size_t j = 0; j < 6 * ((size_t)n + 1); j++) {
         p->V[j][i] = m->V[j];
         p->D[j][i] = m->D[j];
@@ -200,12 +265,17 @@ void lanes_put(struct lanes *p, int i, const struct march *m)
 
 void lanes_step(struct lanes *p)
 {
+    for (int i = 0; i < LANES; i++)
+        if (p->ramps[i])
+            ramp(p, i);
     if (has_avx512())
         step_avx512(p);
     else if (has_avx2())
         step_avx2(p);
     else
         step_plain(p);
+    for (int i = 0; i < LANES; i++)
+        p->step[i]++;
 }
 
 void lanes_look(const struct lanes *p, int i, double *V)
@@ -214,10 +284,10 @@ void lanes_look(const struct lanes *p, int i, double *V)
         V[j] = p->V[j][i];
 }
 
-void lanes_kick(struct lanes *p, int i, enum kick kind, double size, const double *shape)
+void lanes_add(struct lanes *p, int i, const double *V, const double *D)
 {
-    lanes_vector *to = kind == KICK_DISPLACEMENT ? p->V : p->D;
-
-    for (size_t j = 0; j < model_unknowns(p->model); j++)
-        to[j][i] += size * shape[j];
+    for (size_t j = 0; j < model_unknowns(p->model); j++) {
+        p->V[j][i] += V[j];
+        p->D[j][i] += D[j];
+    }
 }

@@ -21,7 +21,7 @@ struct part {
     const struct lanes *all;
     vec *V, *D, *Y;
     const vec *factor, *support;
-    vec next[6];
+    vec next[6]; /* displacements of the supports at the end of the step */
     vec scale, gamma, limit, bad, slack;
 };
 
@@ -288,6 +288,22 @@ static INLINE_BODY void IN(step)(struct part *p)
 /* Register number `at` of a number of all lanes. */
 #define PART(x) (((vec *)(x))[at])
 
+/* The motions, one step on, to next. */
+static INLINE_BODY void IN(move)(struct lanes *p, int at, vec next[6])
+{
+    for (int i = 0; i < 6; i++)
+        next[i] = (vec){0};
+    for (struct lanes_motion *m = p->motion; m < p->motion + p->n_motions; m++) {
+        vec c = PART(&m->c) * PART(&m->dc) - PART(&m->s) * PART(&m->ds);
+        vec s = PART(&m->s) * PART(&m->dc) + PART(&m->c) * PART(&m->ds);
+
+        PART(&m->c) = c;
+        PART(&m->s) = s;
+        for (int i = 0; i < 6; i++)
+            next[i] += PART(&m->r) * (PART(&m->p[i]) * c + PART(&m->q[i]) * s);
+    }
+}
+
 STEP_FOR static void STEP(struct lanes *p)
 {
     for (int at = 0; at < S; at++) {
@@ -304,8 +320,7 @@ STEP_FOR static void STEP(struct lanes *p)
                          {0},
                          {0}};
 
-        for (int i = 0; i < 6; i++)
-            q.next[i] = PART(&p->next[i]);
+        IN(move)(p, at, q.next);
         IN(step)(&q);
         PART(&p->bad) = q.bad;
         PART(&p->slack) = q.slack;

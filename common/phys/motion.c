@@ -17,6 +17,14 @@ static void ramp_at(double ramp, double t, double r[3])
     }
 }
 
+double motion_ramp(const struct motion *m, double t)
+{
+    double r[3];
+
+    ramp_at(m->ramp, t, r);
+    return r[0];
+}
+
 /* The motion without its ramp: displacement, velocity, acceleration. */
 static void unramped(const struct motion *m, double t, double u[3], double v[3], double a[3])
 {

@@ -24,6 +24,9 @@ struct motion {
     const struct sweep *sweep; /* in place of omega, or NULL; not owned */
 };
 
+/* The factor by which m is switched on at t. */
+double motion_ramp(const struct motion *m, double t);
+
 /* Sum of n motions at t: displacement u [m], velocity v [m/s], acceleration a [m/s2] of the left,
  * then of the right support, three axes each; v and a may be NULL. */
 void motion_sum(const struct motion *m, int n, double t, double u[6], double v[6], double a[6]);

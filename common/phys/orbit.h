@@ -11,9 +11,9 @@
 
 #define ORBIT_ORDERS 6 /* k = 1..6, half orders */
 
-/* Sums over the samples of a window; a zeroed struct is an empty one. */
+/* Sums over the samples of a window; a zeroed struct is an empty one.  Nothing but doubles. */
 struct orbit_window {
-    int n;
+    double n; /* samples */
     double least[3], greatest[3], sum[3];
     double c[ORBIT_ORDERS][3], s[ORBIT_ORDERS][3];
     double tension;

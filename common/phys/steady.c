@@ -163,12 +163,14 @@ static void judge(struct steady *s, double old[][3])
         double change = relative_change(s, m);
 
         s->moving = fmin(s->moving, change);
-        if (change <= tolerance && !grows(s, m, old[m])) {
+        if (!(change <= tolerance))
+            continue;
+        if (!grows(s, m, old[m])) { /* else neither do multiples of m count */
             s->kind = STEADY_PERIODIC;
             s->period = m;
-            s->moving = change;
-            return;
         }
+        s->moving = change;
+        return;
     }
 }
 

@@ -82,7 +82,7 @@ void sweep_at(const struct sweep *s, double t, double *phase, double *omega, dou
     double within = fmin(fmax(t, 0), s->duration), start;
 
     *rate = within == t && s->rate > 0 ? up : 0;
-    if (s->rate == 0) {
+    if (!(s->rate > 0)) {
         int i = step_at(s, within);
 
         *omega = step_omega(s, i);

@@ -11,7 +11,7 @@
 
 struct sweep {
     double from, to; /* [rad/s], > 0, not equal */
-    double rate;     /* [rad/s2], > 0; 0: in steps */
+    double rate;     /* [rad/s2], > 0; else: in steps */
     double step;     /* [rad/s], > 0: in steps */
     int dwell;       /* periods at each step, >= 1 */
     int back;        /* whether it returns */

@@ -107,6 +107,7 @@ static void defaults(void **state)
                               "[time]\nscheme = central\nstep = auto\nstart = static\n"
                               "output_every = 0.25\nprobes = 0.5\n"
                               "[nonlinear]\nterms = 3\n"
+                              "[steady]\ntolerance = 0.0001\nperiods = 20\n"
                               "[stability]\nmethod = bolotin\ntheory = indifference\n"
                               "quadratic = no\nground = damped\nmodes = 1 2\nharmonics = 9\n"
                               "ratio_start = 0.4\nratio_end = 1.2\nratio_step = 0.005\n"
@@ -410,7 +411,8 @@ static void values(void **state)
     bad(BASE "[gravity]\nacceleration = -1\n", "test:8: acceleration: -1 is outside of 0 to 1e+06");
     bad(BASE "[damping]\nzeta = 0.1\nomega = 1 2\n", "test:8: zeta: 2 numbers are expected");
     bad(BASE "[time]\nstep = automatic\n", "test:8: step: 'automatic': not a number");
-    bad(BASE "[time]\nscheme = alpha\n", "test:8: scheme: 'alpha' is not one of: central");
+    bad(BASE "[time]\nscheme = newmark\n",
+        "test:8: scheme: 'newmark' is not one of: central alpha");
     bad_set("--set supports.drop: '1,5': a decimal point is expected, not a comma",
             "supports.drop=1,5");
     bad_set("--set supports.span: 0 is outside of 1e-06 to 1e+09", "supports.span=0");

@@ -130,8 +130,8 @@ static void few(void **state)
 static void as_motion(void **state)
 {
     double t[400], x[1200] = {0}, u[2][6], v[2][6], a[2][6];
-    struct motion m[2] = {{SUPPORT_LEFT, {0.1, 0, 0}, 3, {0, 0, 0}, 2, NULL},
-                          {SUPPORT_LEFT, {0, 0, 0}, 0, {0, 0, 0}, 2, NULL}};
+    struct motion m[2] = {{SUPPORT_LEFT, {0.1, 0, 0}, 3, {0, 0, 0}, 2, NULL, NULL},
+                          {SUPPORT_LEFT, {0, 0, 0}, 0, {0, 0, 0}, 2, NULL, NULL}};
     struct series s;
     (void)state;
 

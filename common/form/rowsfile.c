@@ -1,5 +1,5 @@
-/* The result of stabil and its state. */
-#include "form/mapfile.h"
+/* A result of many rows and its state. */
+#include "form/rowsfile.h"
 #include "form/state.h"
 #include "sys/in.h"
 #include "sys/npy.h"
@@ -11,9 +11,8 @@
 
 /* The state: a NumPy vector. */
 enum { VERSION, CASE_HIGH, CASE_LOW, NEXT, BYTES, N_STATE };
-#define STATE_OF_MAP 2 /* the version; those of marches have 1 */
 
-static enum status read_state(struct map_file *f, long *bytes, struct why *why)
+static enum status read_state(struct rows_file *f, long *bytes, struct why *why)
 {
     struct npy a = {.data = NULL};
     double high, low;
@@ -24,8 +23,8 @@ static enum status read_state(struct map_file *f, long *bytes, struct why *why)
         return s;
     s = npy_read(&in, &a, why);
     in_close_replaceable(&in);
-    if (s == SW_OK && (a.columns != 1 || a.rows != N_STATE || a.data[VERSION] != STATE_OF_MAP))
-        s = fail(why, SW_FORMAT, "%s: is no state of stabil", f->state);
+    if (s == SW_OK && (a.columns != 1 || a.rows != N_STATE || a.data[VERSION] != f->kind))
+        s = fail(why, SW_FORMAT, "%s: is no state of such a run", f->state);
     if (s == SW_OK)
         s = state_checksum(f->c, f->columns, &high, &low, why);
     if (s == SW_OK && (a.data[CASE_HIGH] != high || a.data[CASE_LOW] != low))
@@ -38,7 +37,7 @@ static enum status read_state(struct map_file *f, long *bytes, struct why *why)
     return s;
 }
 
-enum status map_file_open(struct map_file *f, struct why *why)
+enum status rows_file_open(struct rows_file *f, struct why *why)
 {
     long bytes = 0;
     enum status s = state_path(NULL, f->path, &f->state, why);
@@ -56,9 +55,9 @@ enum status map_file_open(struct map_file *f, struct why *why)
     return s;
 }
 
-static enum status save(struct map_file *f, struct why *why)
+static enum status save(struct rows_file *f, struct why *why)
 {
-    double all[N_STATE] = {STATE_OF_MAP, 0, 0, (double)f->next, (double)out_bytes(&f->out)};
+    double all[N_STATE] = {f->kind, 0, 0, (double)f->next, (double)out_bytes(&f->out)};
     enum status s = state_checksum(f->c, f->columns, &all[CASE_HIGH], &all[CASE_LOW], why);
     struct out o;
 
@@ -70,19 +69,19 @@ static enum status save(struct map_file *f, struct why *why)
     return out_close(&o, why);
 }
 
-enum status map_file_checkpoint(struct map_file *f, struct why *why)
+enum status rows_file_checkpoint(struct rows_file *f, struct why *why)
 {
     return f->state && state_due(&f->saved, CHECKPOINT) ? save(f, why) : SW_OK;
 }
 
-enum status map_file_stop(struct map_file *f, struct why *why)
+enum status rows_file_stop(struct rows_file *f, struct why *why)
 {
     enum status s = f->state ? save(f, why) : SW_OK;
 
     return s == SW_OK && f->state ? out_keep(&f->out, why) : s;
 }
 
-enum status map_file_close(struct map_file *f, struct why *why)
+enum status rows_file_close(struct rows_file *f, struct why *why)
 {
     enum status s = out_close(&f->out, why);
 
