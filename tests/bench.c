@@ -5,6 +5,8 @@
  * figure is the median of several runs; machines are noisy: compare ratios.
  */
 #include "num/mem.h"
+#include "num/pi.h"
+#include "phys/lanes.h"
 #include "phys/map.h"
 #include "phys/march.h"
 #include "phys/modes.h"
@@ -134,6 +136,105 @@ static double rate(int n, double beta)
     model_free(&m);
     free(V);
     return (double)steps * n / t;
+}
+
+/* Element-steps a second of SEIL2 in eight lanes, each with a frequency of its own. */
+static double lanes_rate(int n, double beta, int width)
+{
+    struct motion deck[LANES];
+    const double b[6] = {0, 0, 0, 0.05, 0, 0};
+    long steps = 4000000 / n;
+    struct march_options o = {.alpha = 0.1095, .beta = beta, .terms = 3, .n_motions = 1};
+    struct model m;
+    struct lanes p;
+    double *V, t;
+
+    expect(model_new(&seil2, LAW_HOOKE, n, &m));
+    expect(lanes_new(&m, 3, beta > 0, 1, &p));
+    V = checked(model_vector(&m));
+    expect(model_equilibrium(&m, 3, b, V));
+    o.dt = 0.9 * march_critical_step(&m);
+    for (int i = 0; i < LANES; i++) {
+        struct march a;
+
+        deck[i] = (struct motion){.amplitude = {0.05, 0, 0}, .omega = 9.124 + 0.01 * i};
+        o.motion = &deck[i];
+        expect(march_new(&m, &o, &a));
+        expect(march_start(&a, V, NULL));
+        lanes_put(&p, i, &a);
+        march_free(&a);
+    }
+    t = now();
+    for (long i = 0; i < steps; i++) {
+        if (i % 20 == 0)
+            for (int k = 0; k < LANES; k++)
+                lanes_tune(&p, k);
+        lanes_step_by(&p, width);
+    }
+    t = now() - t;
+    for (int i = 0; i < LANES; i++)
+        if (lanes_negative(&p.bad, i))
+            expect(SW_DIVERGED);
+    lanes_free(&p);
+    model_free(&m);
+    free(V);
+    return (double)steps * LANES * n / t;
+}
+
+static double ensemble_rate(int n)
+{
+    return lanes_rate(n, 3.5e-3, lanes_width());
+}
+
+static double ensemble_mass_rate(int n)
+{
+    return lanes_rate(n, 0, lanes_width());
+}
+
+static double ensemble_rate_avx2(int n)
+{
+    return lanes_rate(n, 3.5e-3, 4);
+}
+
+static double ensemble_mass_rate_avx2(int n)
+{
+    return lanes_rate(n, 0, 4);
+}
+
+/* Microseconds of an implicit step of SEIL2, 1/50 of the excitation's period. */
+static double implicit_time(int n)
+{
+    static const struct motion deck = {.amplitude = {0.05, 0, 0}, .omega = 9.124};
+    const double b[6] = {0, 0, 0, 0.05, 0, 0};
+    int steps = 40000 / n;
+    struct march_options o = {.alpha = 0.1095,
+                              .beta = 3.5e-3,
+                              .scheme = SCHEME_ALPHA,
+                              .interval = 2 * PI / 9.124 / 50,
+                              .substeps = 1,
+                              .radius = 0.8,
+                              .terms = 3,
+                              .motion = &deck,
+                              .n_motions = 1};
+    struct model m;
+    struct march a;
+    double *V, t;
+
+    expect(model_new(&seil2, LAW_HOOKE, n, &m));
+    expect(march_new(&m, &o, &a));
+    V = checked(model_vector(&m));
+    expect(model_equilibrium(&m, 3, b, V));
+    expect(march_start(&a, V, NULL));
+    t = now();
+    for (int i = 0; i < steps; i++) {
+        expect(march_solve(&a));
+        expect(march_advance(&a));
+    }
+    t = now() - t;
+    march_free(&a);
+    model_free(&m);
+    free(V);
+    return 1e6 * t / steps;
 }
 
 static double march_rate(int n)
@@ -288,6 +389,41 @@ static double table_rate(int n)
     return n / t;
 }
 
+/* Seconds of diffverf --points on so many threads: 256 points of SEIL2 for 60 s each. */
+static double points_time(int threads)
+{
+    static const char text[] = "[cable]\nunstressed_length = 100.429\nmass_per_length = 0.704\n"
+                               "axial_stiffness = 13191488\n[supports]\nspan = 100.534\n"
+                               "[mesh]\nelements = 10\n[damping]\nalpha = 0.1095\n"
+                               "beta = 3.5e-3\n[motion]\namplitude = 0.05 0 0\nomega = 9.124\n"
+                               "[time]\nend = 60\n[steady]\ntolerance = 1e-12\n";
+    const char *dir = getenv("TMPDIR");
+    char path[2][512], command[2048];
+    double t;
+    FILE *f;
+
+    for (int i = 0; i < 2; i++)
+        snprintf(path[i], sizeof path[i], "%s/%d-seilwerk-%s", dir ? dir : "/tmp", (int)getpid(),
+                 i ? "points.csv" : "case.ini");
+    f = checked(fopen(path[0], "w"));
+    fputs(text, f);
+    fclose(f);
+    f = checked(fopen(path[1], "w"));
+    fputs("motion.omega,motion.amplitude\n", f);
+    for (int i = 0; i < 256; i++)
+        fprintf(f, "%g,%g 0 0\n", 9 + 0.02 * (i % 16), 0.04 + 0.001 * (i / 16));
+    fclose(f);
+    snprintf(command, sizeof command, "diffverf -q --threads %d --points '%s' '%s' >/dev/null",
+             threads, path[1], path[0]);
+    t = now();
+    if (system(command) != 0)
+        expect(SW_NOCONV);
+    t = now() - t;
+    remove(path[0]);
+    remove(path[1]);
+    return t;
+}
+
 /* Nanoseconds of one printed number, random bits. */
 static double print_time(int n)
 {
@@ -324,7 +460,7 @@ int main(void)
     static const int meshes[] = {10, 100, 1000, 100000}, sizes[] = {10, 100, 400};
     static const int large[] = {1000, 10000, 100000};
     static const double wanted_ms[] = {1, 50, 1500};
-    double speed, scale;
+    double speed, scale, one;
     char what[64];
     struct rusage usage;
 
@@ -357,6 +493,24 @@ int main(void)
         snprintf(what, sizeof what, "diffverf, all terms, beta = 0, n = %d", meshes[i]);
         report(what, median(mass_rate, meshes[i]), "el-st/s", 1.2e7 * scale, 1);
     }
+    for (int n = 10; n <= 100; n *= 10) {
+        snprintf(what, sizeof what, "ensemble in lanes, beta > 0, n = %d", n);
+        report(what, median(ensemble_rate, n), "el-st/s",
+               (lanes_width() == 8 ? 3.5e7 : 1.75e7) * scale, 1);
+        snprintf(what, sizeof what, "ensemble in lanes, beta = 0, n = %d", n);
+        report(what, median(ensemble_mass_rate, n), "el-st/s",
+               (lanes_width() == 8 ? 6e7 : 3e7) * scale, 1);
+    }
+    if (lanes_width() == 8) {
+        report("the same with AVX2 only, beta > 0, n = 10", median(ensemble_rate_avx2, 10),
+               "el-st/s", 1.75e7 * scale, 1);
+        report("the same with AVX2 only, beta = 0, n = 10", median(ensemble_mass_rate_avx2, 10),
+               "el-st/s", 3e7 * scale, 1);
+    }
+    report("diffverf --points, 256 x 60 s, one thread", one = median(points_time, 1), "s", 0, 0);
+    report("  speed-up by a second thread", one / median(points_time, 2), "", 2 / 1.5, 1);
+    report("implicit step, n = 20", median(implicit_time, 20), "us", 580.0 / 20 / scale, 0);
+    report("implicit step, n = 100", median(implicit_time, 100), "us", 2650.0 / 20 / scale, 0);
     report("stabil, 1000 frequencies, 8 modes", median(bolotin_time, 0), "s", 3 / scale, 0);
     report("stabil, the same, skew motion", median(bolotin_time, 1), "s", 6 / scale, 0);
     report("stabil, 1000 frequencies, n = 1000", median(fine_time, 1000), "s", 0, 0);

@@ -263,19 +263,29 @@ void lanes_put(struct lanes *p, int i, const struct march *m)
 #define STEP_FOR FOR_AVX512
 #include "phys/lanes_step.h"
 
-void lanes_step(struct lanes *p)
+void lanes_step_by(struct lanes *p, int width)
 {
     for (int i = 0; i < LANES; i++)
         if (p->ramps[i])
             ramp(p, i);
-    if (has_avx512())
+    if (width == 8)
         step_avx512(p);
-    else if (has_avx2())
+    else if (width == 4)
         step_avx2(p);
     else
         step_plain(p);
     for (int i = 0; i < LANES; i++)
         p->step[i]++;
+}
+
+int lanes_width(void)
+{
+    return has_avx512() ? 8 : has_avx2() ? 4 : 2;
+}
+
+void lanes_step(struct lanes *p)
+{
+    lanes_step_by(p, lanes_width());
 }
 
 void lanes_look(const struct lanes *p, int i, double *V)

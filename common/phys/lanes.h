@@ -3,8 +3,8 @@
  *
  * All lanes march on the same model with the same nonlinear terms, each with a damping, time step,
  * support motion and state of its own.  A lane knows nothing of the others: its numbers are the
- * same, bit for bit, whatever stands beside it.  They agree with those of phys/march.h to round-off
- * (another order of sums, fused products) and may differ in the last digits between processors.
+ * same, bit for bit, whatever stands beside it, and on any processor.  They agree with those of
+ * phys/march.h to round-off (another order of sums).
  *
  * With beta > 0 the scheme is solved for V(t+dt) - V(t-dt) = Y,
  *
@@ -74,6 +74,11 @@ void lanes_clear(struct lanes *p, int i);
 
 /* One step of all lanes.  Sets bad and slack by the state before it. */
 void lanes_step(struct lanes *p);
+
+/* The same by registers of 2, 4 (AVX2) or 8 (AVX-512) lanes, which the processor must have; and the
+ * widest that it has.  All give the same bits. */
+void lanes_step_by(struct lanes *p, int width);
+int lanes_width(void);
 
 /* The motions of lane i from its present time itself: to be called every few dozen steps, at times
  * that do not depend on the other lanes. */
