@@ -25,7 +25,7 @@ LINK = $(CC) $(OWN_CFLAGS) $(HARDEN_LD) $(CFLAGS) $(LDFLAGS)
 OPENMP := $(shell echo 'int main(void) { return 0; }' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && \
   echo -fopenmp)
 OWN_CFLAGS += $(if $(OPENMP),$(OPENMP),-Wno-unknown-pragmas)
-LIBS = -Wl,--as-needed -larpack -llapacke -lopenblas -linih -lcsv -lm
+LIBS = -Wl,--as-needed -lcholmod -larpack -llapacke -lopenblas -linih -lcsv -lm
 
 TOOLS = $(patsubst tools/%.c,%,$(wildcard tools/*.c))
 COMMON = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard common/*/*.c))

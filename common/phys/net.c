@@ -1,0 +1,363 @@
+/* Equilibrium of systems of ropes: the gap method. */
+#include "phys/net.h"
+#include "num/mem.h"
+#include "phys/network.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ENOUGH 0.3  /* of the first slope: a shortened step ends there */
+#define TRIALS 80   /* of a step's length */
+#define POLISH 3    /* steps behind the tolerance that may still bring something */
+#define THREADS 512 /* ropes from which threads share them */
+
+void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM])
+{
+    double away[3], pull[3], draft = -x[2];
+
+    for (int i = 0; i < 3; i++)
+        away[i] = x[i] - node->anchor[i];
+    sym_times(node->K, away, pull);
+    for (int i = 0; i < 3; i++)
+        f[i] = node->force[i] - pull[i];
+    if (K)
+        memcpy(K, node->K, sizeof node->K);
+    if (!(node->area > 0))
+        return;
+    f[2] += node->area * fmin(fmax(draft, 0), node->height);
+    if (K && draft > 0 && draft < node->height)
+        K[SYM_ZZ] += node->area;
+}
+
+/* A bar between x_a and x_b: tension towards b and stiffness (26). */
+static void bar(const struct rope *r, const double d[3], double t[3], double K[SYM])
+{
+    double l = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), N = r->law.EA * (l / r->L0 - 1);
+    double along = N / l, change = (r->law.EA / r->L0 - along) / (l * l);
+
+    if (!(l > 0)) { /* no direction: a spring in all of them */
+        along = r->law.EA / r->L0;
+        change = 0;
+    }
+    for (int i = 0; i < 3; i++)
+        t[i] = along * d[i];
+    K[SYM_XX] = along + change * d[0] * d[0];
+    K[SYM_XY] = change * d[0] * d[1];
+    K[SYM_XZ] = change * d[0] * d[2];
+    K[SYM_YY] = along + change * d[1] * d[1];
+    K[SYM_YZ] = change * d[1] * d[2];
+    K[SYM_ZZ] = along + change * d[2] * d[2];
+}
+
+/* Chord, stiffness and gap of rope r at t and x. */
+static void evaluate_rope(const struct net *net, const double *x, const double *t, int r,
+                          struct net_work *w)
+{
+    const struct net_rope *p = &net->rope[r];
+    const double *a = x + 3 * p->a, *b = x + 3 * p->b;
+    double *gap = w->gap + 3 * r, *K = w->K + SYM * r, F[SYM], chord[3];
+
+    if (net_is_bar(p)) {
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+
+        bar(&p->rope, d, w->bar + 3 * r, w->K + SYM * r);
+        gap[0] = gap[1] = gap[2] = 0;
+        return;
+    }
+    rope_chord(&p->rope, t + 3 * r, chord, F);
+    for (int i = 0; i < 3; i++)
+        gap[i] = b[i] - a[i] - chord[i];
+    if (!sym_invert(F, K))
+        memset(K, 0, SYM * sizeof *K);
+}
+
+static void evaluate_ropes(const struct net *net, const double *x, const double *t,
+                           struct net_work *w)
+{
+#pragma omp parallel for if (net->m >= THREADS)
+    for (int r = 0; r < net->m; r++)
+        evaluate_rope(net, x, t, r, w);
+}
+
+/* Tension of rope r at both ends, towards b. */
+static void ends(const struct net *net, const double *t, const struct net_work *w, int r,
+                 double ta[3], double tb[3])
+{
+    const struct net_rope *p = &net->rope[r];
+    double load[3] = {0, 0, 0};
+
+    memcpy(ta, net_is_bar(p) ? w->bar + 3 * r : t + 3 * r, 3 * sizeof *ta);
+    if (!net_is_bar(p))
+        rope_load(&p->rope, load);
+    for (int i = 0; i < 3; i++)
+        tb[i] = ta[i] - load[i];
+}
+
+/* Residual of all nodes at x and t: forces of ropes and from outside. */
+static void evaluate_nodes(const struct net *net, const double *x, const double *t,
+                           struct net_work *w)
+{
+    for (int i = 0; i < net->n; i++)
+        net_node_force(&net->node[i], x + 3 * i, w->residual + 3 * i, w->node_K + SYM * i);
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        double ta[3], tb[3], end[3];
+
+        ends(net, t, w, r, ta, tb);
+        rope_end_load(&p->rope, end);
+        for (int i = 0; i < 3; i++) {
+            w->residual[3 * p->a + i] += ta[i] + end[i];
+            w->residual[3 * p->b + i] += end[i] - tb[i];
+        }
+    }
+}
+
+void net_evaluate(const struct net *net, const double *x, const double *t, struct net_work *w)
+{
+    evaluate_ropes(net, x, t, w);
+    evaluate_nodes(net, x, t, w);
+}
+
+static double length(const double x[3])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+struct net_step net_measure(const struct net *net, const double *t, const struct net_work *w,
+                            struct net_state *s)
+{
+    struct net_step ret = {0, 0, 0, 1};
+    int counted = 0;
+
+    s->most = 0;
+    for (int r = 0; r < net->m; r++) {
+        double gap = length(w->gap + 3 * r) / s->size, ta[3], tb[3];
+
+        ends(net, t, w, r, ta, tb);
+        s->most = fmax(s->most, fmax(length(ta), length(tb)));
+        ret.mean_gap += gap;
+        counted += !net_is_bar(&net->rope[r]);
+        if (!(gap <= ret.largest_gap))
+            ret.largest_gap = gap;
+    }
+    ret.mean_gap /= counted > 0 ? counted : 1;
+    for (int i = 0; i < 3 * net->n; i++) {
+        double missing = w->dof[i] >= 0 ? fabs(w->residual[i]) : 0;
+
+        if (!(missing <= ret.residual)) {
+            ret.residual = missing;
+            s->worst = i / 3;
+        }
+    }
+    return ret;
+}
+
+enum status net_find_step(const struct net *net, struct net_work *w, int *ret_worst)
+{
+    enum status s;
+
+    net_assemble(net, w);
+    for (int i = 0; i < 3 * net->n; i++)
+        if (w->dof[i] >= 0)
+            w->rhs[w->dof[i]] = w->residual[i];
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        double pull[3];
+
+        sym_times(w->K + SYM * r, w->gap + 3 * r, pull);
+        for (int i = 0; i < 3; i++) {
+            if (w->dof[3 * p->a + i] >= 0)
+                w->rhs[w->dof[3 * p->a + i]] += pull[i];
+            if (w->dof[3 * p->b + i] >= 0)
+                w->rhs[w->dof[3 * p->b + i]] -= pull[i];
+        }
+    }
+    s = sparse_factor(&w->A);
+    if (s == SW_INDEFINITE)
+        *ret_worst = net_node_of(net, w, w->A.failed);
+    if (s == SW_OK)
+        s = sparse_solve(&w->A, 1, w->rhs);
+    if (s != SW_OK)
+        return s;
+    for (int i = 0; i < 3 * net->n; i++)
+        w->dx[i] = w->dof[i] >= 0 ? w->rhs[w->dof[i]] : 0;
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        double open[3];
+
+        for (int i = 0; i < 3; i++)
+            open[i] = w->gap[3 * r + i] + w->dx[3 * p->b + i] - w->dx[3 * p->a + i];
+        sym_times(w->K + SYM * r, open, w->dt + 3 * r);
+    }
+    return SW_OK;
+}
+
+/* Trial state: x1, t1 = x, t + factor times the step. */
+static void try_step(const struct net *net, const struct net_state *s, double factor,
+                     struct net_work *w)
+{
+    for (int i = 0; i < 3 * net->n; i++)
+        w->x1[i] = s->x[i] + factor * w->dx[i];
+    for (int i = 0; i < 3 * net->m; i++)
+        w->t1[i] = s->t[i] + factor * w->dt[i];
+    net_evaluate(net, w->x1, w->t1, w);
+}
+
+/* Minus gaps times dt and residuals times dx: negative before the step, zero at its best end. */
+static double slope(const struct net *net, const struct net_work *w)
+{
+    double sum = 0;
+
+    for (int i = 0; i < 3 * net->m; i++)
+        if (!net_is_bar(&net->rope[i / 3]))
+            sum -= w->gap[i] * w->dt[i];
+    for (int i = 0; i < 3 * net->n; i++)
+        if (w->dof[i] >= 0)
+            sum -= w->residual[i] * w->dx[i];
+    return sum;
+}
+
+/* A factor at which the slope has nearly vanished, or the whole step: by regula falsi (Illinois).
+ * The trial state stands there. */
+static double search(const struct net *net, const struct net_state *s, struct net_work *w)
+{
+    double first = slope(net, w), low = 0, high = 1, at_low = first, at_high, factor = 1;
+
+    try_step(net, s, 1, w);
+    at_high = slope(net, w);
+    if (at_high <= ENOUGH * fabs(first))
+        return 1;
+    for (int k = 0; k < TRIALS; k++) {
+        double now;
+
+        factor = isfinite(at_high) ? (low * at_high - high * at_low) / (at_high - at_low)
+                                   : (low + high) / 2;
+        if (!(factor > low && factor < high) || k % 4 == 3)
+            factor = low + (high - low) * (low == 0 ? 0.1 : 0.5);
+        try_step(net, s, factor, w);
+        now = slope(net, w);
+        if (fabs(now) <= ENOUGH * fabs(first))
+            break;
+        if (now < 0) {
+            low = factor;
+            at_low = now;
+            at_high /= 2;
+        } else {
+            high = factor;
+            at_high = now;
+            at_low /= 2;
+        }
+    }
+    return factor;
+}
+
+static void take(struct net_state *s, const struct net *net, const struct net_work *w)
+{
+    memcpy(s->x, w->x1, 3 * sizeof *s->x * (size_t)net->n);
+    memcpy(s->t, w->t1, 3 * sizeof *s->t * (size_t)net->m);
+}
+
+static int is_met(const struct net_step *p, const struct net_state *s, double tolerance)
+{
+    return p->largest_gap <= tolerance && p->residual <= tolerance * s->most;
+}
+
+/* Stiffness of the first steps in place of the exact one. */
+static void approximate(const struct net *net, const struct net_options *o, const double *t,
+                        struct net_work *w)
+{
+    for (int r = 0; r < net->m; r++) {
+        const struct rope *p = &net->rope[r].rope;
+
+        if (!net_is_bar(&net->rope[r]))
+            net_rough_stiffness(p, o->start, t + 3 * r, w->reference, w->K + SYM * r);
+    }
+}
+
+/* Steps until the bounds are met, and a few more while they still bring something. */
+static enum status iterate(const struct net *net, const struct net_options *o, struct net_work *w,
+                           struct net_state *s)
+{
+    int polish = 0;
+    enum status status;
+
+    net_evaluate(net, s->x, s->t, w);
+    s->step[0] = net_measure(net, s->t, w, s);
+    for (s->steps = 0; s->steps < o->steps;) {
+        struct net_step now;
+        int met = is_met(&s->step[s->steps], s, o->tolerance);
+
+        if (met && polish++ == POLISH)
+            break;
+        if (s->steps < o->start_steps && o->start != NET_EXACT)
+            approximate(net, o, s->t, w);
+        status = net_find_step(net, w, &s->worst);
+        if (status != SW_OK)
+            return met ? SW_OK : status;
+        now.factor = search(net, s, w);
+        {
+            double factor = now.factor;
+
+            now = net_measure(net, w->t1, w, s);
+            now.factor = factor;
+        }
+        if (met && !(now.mean_gap < s->step[s->steps].mean_gap / 2))
+            break;
+        take(s, net, w);
+        s->step[++s->steps] = now;
+        if (!isfinite(now.mean_gap) || !isfinite(now.residual))
+            break;
+    }
+    net_evaluate(net, s->x, s->t, w);
+    memcpy(s->residual, w->residual, 3 * sizeof *s->residual * (size_t)net->n);
+    {
+        struct net_step last = net_measure(net, s->t, w, s);
+
+        return is_met(&last, s, o->tolerance) ? SW_OK : SW_NOCONV;
+    }
+}
+
+static enum status new_state(const struct net *net, const struct net_options *o,
+                             struct net_state *s)
+{
+    *s = (struct net_state){.worst = -1};
+    s->x = mem_doubles(3 * (size_t)net->n);
+    s->t = mem_doubles(3 * (size_t)net->m);
+    s->residual = mem_doubles(3 * (size_t)net->n);
+    s->step = mem_zeroed((size_t)o->steps + 1, sizeof *s->step);
+    return s->x && s->t && s->residual && s->step ? SW_OK : SW_NOMEM;
+}
+
+void net_state_free(struct net_state *s)
+{
+    free(s->x);
+    free(s->t);
+    free(s->residual);
+    free(s->step);
+    *s = (struct net_state){.x = NULL};
+}
+
+enum status net_solve(struct net *net, const struct net_options *o, struct net_state *ret)
+{
+    struct net_work w = {.dof = NULL};
+    enum status s = new_state(net, o, ret);
+
+    if (s == SW_OK)
+        s = net_work_new(net, &w);
+    if (s == SW_OK) {
+        ret->size = net_size(net);
+        w.reference = net_reference(net);
+        net_smooth(net, w.reference);
+        if (o->method == NET_IMAGINARY)
+            s = net_imaginary(net, o, &w, ret);
+        else
+            s = net_begin(net, &w, ret);
+    }
+    if (s == SW_OK && o->method == NET_GAP)
+        s = iterate(net, o, &w, ret);
+    net_work_free(&w);
+    if (s == SW_NOMEM)
+        net_state_free(ret);
+    return s;
+}

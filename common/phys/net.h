@@ -1,0 +1,98 @@
+/*
+ * Equilibrium of systems of ropes by the gap method (Blendermann 52-70; theory section 5, c5).
+ *
+ * All ropes are cut free and balanced by themselves; p, their end tensions, and x, the positions of
+ * the nodes, are improved together until no rope misses its nodes:
+ *
+ *     (B^T K B + K_r) dx = R + B^T K gap,   dt = K (gap + B dx),   gap = B x - chord(t)
+ *
+ * with K = F^{-1} the ropes' stiffness and R the residual of the nodes.  Chords are gradients of
+ * convex functions of the tensions and node forces of convex functions of the positions, so that
+ * the step runs downhill; it is shortened where the product of the gaps and residuals with the step
+ * would change its sign by more than half.  A rope of one element is a bar, which also carries
+ * compression; it takes part through its nodes' positions.  z is up.
+ */
+#ifndef SEILWERK_PHYS_NET_H
+#define SEILWERK_PHYS_NET_H
+
+#include "num/sparse.h"
+#include "phys/rope.h"
+
+struct net_node {
+    int held;         /* bits 1, 2, 4: x, y, z do not move */
+    double x[3];      /* [m] where held; else a guess, or NAN */
+    double force[3];  /* from outside, weight and constant buoyancy in it [N] */
+    double K[SYM];    /* spring towards anchor [N/m] */
+    double anchor[3]; /* [m] */
+    double area;      /* float: buoyancy per depth of its bottom, the node, below z = 0 [N/m] */
+    double height;    /* depth at which it is submerged [m] */
+};
+
+struct net_rope {
+    int a, b; /* nodes */
+    struct rope rope;
+};
+
+struct net {
+    int n, m;              /* nodes, ropes */
+    struct net_node *node; /* (n); owned by the caller, like the next */
+    struct net_rope *rope; /* (m) */
+};
+
+enum net_method { NET_GAP, NET_DISPLACEMENT, NET_IMAGINARY };
+enum net_stiffness { NET_EXACT, NET_CLOSED, NET_FICTITIOUS };
+enum net_pull { NET_CONSTANT, NET_UNIT, NET_SPAN }; /* (78), (79), (80) */
+
+struct net_options {
+    enum net_method method;
+    enum net_stiffness start; /* stiffness of the first steps */
+    int start_steps;
+    enum net_pull pull; /* of NET_IMAGINARY */
+    double tolerance;   /* of gaps over the system's size, and residuals over the largest
+                           tension */
+    int steps;          /* at the most */
+};
+
+struct net_step {
+    double mean_gap, largest_gap; /* over the system's size */
+    double residual;              /* largest [N] */
+    double factor;                /* by which the step was shortened */
+};
+
+struct net_state {
+    double *x;             /* (n, 3) positions [m]; owned */
+    double *t;             /* (m, 3) tension at a, towards b [N]; owned */
+    double *residual;      /* (n, 3) what is missing at the nodes [N]; at held ones minus the
+                              support's reaction; owned */
+    double size;           /* of the system [m] */
+    double most;           /* largest tension [N] */
+    struct net_step *step; /* (steps + 1) history; owned */
+    int steps;
+    int worst; /* node with the largest residual, or what makes it a mechanism */
+};
+
+/* Words for a net that has no answer, or NULL: ends of ropes, lengths, stiffnesses, connection to
+ * something held.  *ret_at: the rope or node that they are about. */
+const char *net_refused(const struct net *net, int *ret_is_rope, int *ret_at);
+
+/* Find the equilibrium; sets the ropes' epsilon.  SW_NOCONV: bounds not met, the state is the best
+ * one found; SW_INDEFINITE: a mechanism, ret->worst is free to move; SW_ADMISSIBLE: the method does
+ * not apply; SW_NOMEM. */
+enum status net_solve(struct net *net, const struct net_options *o, struct net_state *ret);
+
+void net_state_free(struct net_state *s);
+
+/* Force on node i at x from springs, floats and outside, and its stiffness -df/dx or NULL. */
+void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM]);
+
+/* End tension of rope r at a and at b, both towards b, for the state s [N]. */
+void net_ends(const struct net *net, const struct net_state *s, int r, double ta[3], double tb[3]);
+
+/*
+ * Stiffness of the chosen nodes, condensed on the rest: K (3 k, 3 k), column-major, force needed
+ * per displacement [N/m].  They are held where they are, others move.  As net_solve.
+ */
+enum status net_stiffness(const struct net *net, const struct net_state *s, const int *chosen,
+                          int k, double *K);
+
+#endif
