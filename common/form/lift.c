@@ -1,0 +1,462 @@
+/* Columns of sling: names, cells, arrangements. */
+#include "form/lift.h"
+#include "num/mem.h"
+#include "num/pi.h"
+#include "sys/number.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEGREE (PI / 180)
+
+/* Quantities of struct rigging: stem and unit of the column, SI units in one of it. */
+static const struct quantity {
+    const char *stem, *unit;
+    double factor;
+} quantities[LIFT_QUANTITIES] = {
+    {"v", "_m", 1},
+    {"s", "_m", 1},
+    {"z", "_m", 1},
+    {"phi", "_deg", DEGREE},
+    {"gamma", "_deg", DEGREE},
+    {"m_spreader", "_t", 1000},
+    {"m_load", "_t", 1000},
+    {"sling", "_m", 1},
+    {"base_long", "_m", 1},
+    {"base_cross", "_m", 1},
+    {"strain_wll", "", 1},
+    {"use", "", 1},
+    {"wll", "_kN", 1000},
+    {"wll_secondary", "_kN", 1000},
+    {"slings", "", 1},
+    {"stabilized", "", 1},
+};
+
+static const char *const alone[] = {"e1_m", "e2_m", "offset_m"};
+static const char *const types[] = {"single", "primary", "primary-elastic", "primary-secondary",
+                                    "pair"};
+
+/* Results of sling, which its input must not have already. */
+static const char *const results[] = {"c", "h_m", "z_critical_m", "verdict", "why"};
+
+enum kind { COPIED, NUMBER, TOLERANCE, TYPE };
+
+struct lift_slot {
+    enum kind kind;
+    int index;       /* of NUMBER and TOLERANCE in x, of TYPE the end */
+    char *added;     /* name of a column that --set adds; owned */
+    const char *set; /* value of --set, or NULL; points into argv */
+};
+
+const char *lift_type_name(int type)
+{
+    return type >= 0 && type <= LIFT_PAIR ? types[type] : "";
+}
+
+void lift_name(int i, char ret[LIFT_NAME])
+{
+    if (i >= LIFT_E1) {
+        snprintf(ret, LIFT_NAME, "%s", alone[i - LIFT_E1]);
+    } else {
+        const struct quantity *q = &quantities[i / LIFT_ENDS];
+        const char *const ends[] = {"", "_1", "_2"};
+
+        snprintf(ret, LIFT_NAME, "%s%s%s", q->stem, ends[i % LIFT_ENDS], q->unit);
+    }
+}
+
+const char *lift_stem(int quantity)
+{
+    return quantities[quantity].stem;
+}
+
+double lift_unit(int i)
+{
+    return i < LIFT_E1 ? quantities[i / LIFT_ENDS].factor : 1;
+}
+
+/* name without the end that it names, 0: none: "v_1_m" and "v_m_1" are "v_m" of end 1. */
+static int strip_end(const char *name, const struct quantity *q)
+{
+    size_t stem = strlen(q->stem), unit = strlen(q->unit);
+    const char *rest = name + stem;
+
+    if (strncmp(name, q->stem, stem) != 0)
+        return -1;
+    if (strcmp(rest, q->unit) == 0)
+        return 0;
+    for (int end = 1; end < LIFT_ENDS; end++) {
+        const char suffix[] = {'_', (char)('0' + end), '\0'};
+
+        if ((strncmp(rest, suffix, 2) == 0 && strcmp(rest + 2, q->unit) == 0) ||
+            (strncmp(rest, q->unit, unit) == 0 && strcmp(rest + unit, suffix) == 0))
+            return end;
+    }
+    return -1;
+}
+
+static int number_column(const char *name)
+{
+    for (int q = 0; q < LIFT_QUANTITIES; q++) {
+        int end = strip_end(name, &quantities[q]);
+
+        if (end >= 0)
+            return q * LIFT_ENDS + end;
+    }
+    for (int i = 0; i < LIFT_NUMBERS - LIFT_E1; i++)
+        if (strcmp(name, alone[i]) == 0)
+            return LIFT_E1 + i;
+    return -1;
+}
+
+int lift_column(const char *name, int *ret_tolerance)
+{
+    size_t n = strlen(name);
+    char stem[LIFT_NAME + 8];
+
+    *ret_tolerance = n > 4 && n < sizeof stem && strcmp(name + n - 4, "_tol") == 0;
+    if (!*ret_tolerance)
+        return number_column(name);
+    memcpy(stem, name, n - 4);
+    stem[n - 4] = '\0';
+    n = (size_t)number_column(stem);
+    return (int)n / LIFT_ENDS == LIFT_STABILIZED && (int)n < LIFT_E1 ? -1 : (int)n;
+}
+
+/* What a column is. */
+static struct lift_slot slot_of(const char *name)
+{
+    struct lift_slot s = {COPIED, 0, NULL, NULL};
+    int tolerance, i = lift_column(name, &tolerance);
+
+    if (strncmp(name, "type", 4) == 0 &&
+        (name[4] == '\0' || strcmp(name + 4, "_1") == 0 || strcmp(name + 4, "_2") == 0)) {
+        s.kind = TYPE;
+        s.index = name[4] ? name[5] - '0' : 0;
+    } else if (i >= 0) {
+        s.kind = tolerance ? TOLERANCE : NUMBER;
+        s.index = i;
+    }
+    return s;
+}
+
+/* Lower case letters and digits of name before its unit. */
+static void plain(const char *name, char ret[LIFT_NAME])
+{
+    static const char *const units[] = {"m", "mm", "cm", "deg", "rad", "t", "kg", "kn", "n", "tol"};
+    size_t n = 0;
+    char *unit;
+
+    for (; *name && n < LIFT_NAME - 1; name++)
+        ret[n++] = *name == '-' || *name == ' ' || *name == '.' ? '_'
+                   : *name >= 'A' && *name <= 'Z'               ? (char)(*name + ('a' - 'A'))
+                                                                : *name;
+    ret[n] = '\0';
+    unit = strrchr(ret, '_');
+    for (size_t i = 0; unit && i < sizeof units / sizeof *units; i++)
+        if (strcmp(unit + 1, units[i]) == 0) {
+            *unit = '\0';
+            return;
+        }
+}
+
+/* Whether a and b differ by no more than one letter put in, left out or changed. */
+static int one_apart(const char *a, const char *b)
+{
+    size_t n = strlen(a), m = strlen(b), i = 0;
+
+    if (n > m)
+        return one_apart(b, a);
+    while (i < n && a[i] == b[i])
+        i++;
+    return m - n <= 1 && strcmp(a + i + (n == m && i < n), b + i + (i < m)) == 0;
+}
+
+/* The column of sling that name nearly is, or NULL: the same but for case and unit, or one letter
+ * wrong in a name of four or more. */
+static const char *nearly(const char *name, char ret[LIFT_NAME])
+{
+    char mine[LIFT_NAME], its[LIFT_NAME];
+
+    plain(name, mine);
+    for (int i = 0; i < LIFT_NUMBERS; i++) {
+        lift_name(i, ret);
+        plain(ret, its);
+        if (strcmp(mine, its) == 0 || (strlen(its) >= 4 && i < LIFT_E1 && one_apart(mine, its)) ||
+            (strlen(ret) >= 5 && one_apart(name, ret)))
+            return ret;
+    }
+    snprintf(ret, LIFT_NAME, "type");
+    return strcmp(mine, "typ") == 0 || strcmp(mine, "type") == 0 ? ret : NULL;
+}
+
+static const char *place(const struct lift_table *t, char ret[512])
+{
+    if (t->csv.name)
+        snprintf(ret, 512, "%.400s:%d: ", t->csv.name, t->csv.line);
+    else
+        snprintf(ret, 512, "--set: ");
+    return ret;
+}
+
+enum status lift_fail(const struct lift_table *t, struct why *why)
+{
+    struct why copy = *why;
+    char at[512];
+
+    return fail(why, SW_FORMAT, "%s%.500s", place(t, at), copy.text);
+}
+
+const char *lift_reason(const struct lift_table *t, const struct why *why)
+{
+    char at[512];
+    size_t n = strlen(place(t, at));
+
+    return strncmp(why->text, at, n) == 0 ? why->text + n : why->text;
+}
+
+static enum status judge_name(const struct lift_table *t, int i, const char *name, struct why *why)
+{
+    char close[LIFT_NAME];
+
+    for (size_t k = 0; k < sizeof results / sizeof *results; k++)
+        if (strcmp(name, results[k]) == 0)
+            return fail(why, SW_FORMAT, "column %d: '%s' is a result of sling; leave it out", i + 1,
+                        name);
+    if (nearly(name, close))
+        return fail(why, SW_FORMAT, "column %d: '%.60s' is no column of sling; is %s meant?", i + 1,
+                    name, close);
+    if (strcmp(name, "name") != 0) {
+        char at[512];
+
+        warn("%scolumn %d: '%.60s' is no column of sling; it is only copied", place(t, at), i + 1,
+             name);
+    }
+    return SW_OK;
+}
+
+static enum status take_header(struct lift_table *t, struct why *why)
+{
+    int known = 0;
+
+    for (int i = 0; i < t->n_file; i++) {
+        const char *name = t->csv.cell[i];
+        enum status s = SW_OK;
+
+        t->slot[i] = slot_of(name);
+        known += t->slot[i].kind != COPIED;
+        if (t->slot[i].kind == COPIED)
+            s = judge_name(t, i, name, why);
+        if (s != SW_OK)
+            return s;
+        for (int j = 0; j < i; j++)
+            if (strcmp(name, t->csv.cell[j]) == 0 ||
+                (t->slot[i].kind != COPIED && t->slot[i].kind == t->slot[j].kind &&
+                 t->slot[i].index == t->slot[j].index))
+                return fail(why, SW_FORMAT, "columns %d and %d are both '%.60s'", j + 1, i + 1,
+                            name);
+    }
+    if (t->n_file > 0 && known == 0)
+        return fail(why, SW_FORMAT,
+                    "no column is one of sling; a header line is expected, such as "
+                    "type,v_m,z_m,...");
+    return SW_OK;
+}
+
+/* The column that an assignment sets, added at the end if the file has none. */
+static enum status take_set(struct lift_table *t, const char *text, struct why *why)
+{
+    const char *equals = strchr(text, '=');
+    char name[LIFT_NAME + 8], close[LIFT_NAME];
+    struct lift_slot s = {COPIED, 0, NULL, NULL};
+    int i = 0;
+
+    snprintf(name, sizeof name, "%.*s", equals ? (int)(equals - text) : 0, text);
+    if (equals && (size_t)(equals - text) < sizeof name)
+        s = slot_of(name);
+    if (!equals || (s.kind == COPIED && strcmp(name, "name") != 0))
+        return fail(why, SW_USAGE, "--set %.60s: expected COLUMN=VALUE%s%s", text,
+                    equals && nearly(name, close) ? "; is this column meant: " : "",
+                    equals && nearly(name, close) ? close : "");
+    if (s.kind == COPIED)
+        i = t->n;
+    while (i < t->n && !(t->slot[i].kind == s.kind && t->slot[i].index == s.index))
+        i++;
+    if (i == t->n) {
+        s.added = mem_copy(name, strlen(name) + 1);
+        if (!s.added)
+            return fail_plain(why, SW_NOMEM);
+        t->slot[t->n++] = s;
+    }
+    t->slot[i].set = equals + 1;
+    return SW_OK;
+}
+
+enum status lift_begin(const struct in *in, const struct opt_list *sets, struct lift_table *ret,
+                       struct why *why)
+{
+    enum status s = SW_OK;
+
+    *ret = (struct lift_table){.n = 0};
+    if (in) {
+        s = csv_begin(in, &ret->csv, why);
+        if (s == SW_OK)
+            s = csv_header(&ret->csv, why);
+        if (s != SW_OK) {
+            lift_end(ret);
+            return s;
+        }
+        ret->n = ret->n_file = ret->csv.n;
+    }
+    ret->slot = mem_zeroed((size_t)(ret->n + sets->n), sizeof *ret->slot);
+    s = ret->slot ? take_header(ret, why) : fail_plain(why, SW_NOMEM);
+    if (s == SW_FORMAT)
+        lift_fail(ret, why);
+    for (int i = 0; i < sets->n && s == SW_OK; i++)
+        s = take_set(ret, sets->item[i], why);
+    if (s != SW_OK)
+        lift_end(ret);
+    return s;
+}
+
+/* Text of column i in the present row. */
+static const char *cell(const struct lift_table *t, int i)
+{
+    if (t->slot[i].set)
+        return t->slot[i].set;
+    return i < t->csv.n && i < t->n_file ? t->csv.cell[i] : "";
+}
+
+static enum status read_type(const char *text, int *ret, struct why *why)
+{
+    for (int k = 0; k <= LIFT_PAIR; k++)
+        if (strcmp(text, types[k]) == 0) {
+            *ret = k;
+            return SW_OK;
+        }
+    return fail(why, SW_FORMAT,
+                "'%.60s': expected single, primary, primary-elastic, primary-secondary or pair",
+                text);
+}
+
+static enum status read_number(const struct lift_slot *s, const char *text, struct lift_given *ret,
+                               struct why *why)
+{
+    static const char *const no[] = {"no", "false"}, *const yes[] = {"yes", "true"};
+    double x = NAN;
+    const char *reason = NULL;
+
+    if (s->index / LIFT_ENDS == LIFT_STABILIZED && s->index < LIFT_E1)
+        for (int i = 0; i < 2; i++)
+            x = strcmp(text, no[i]) == 0 ? 0 : strcmp(text, yes[i]) == 0 ? 1 : x;
+    if (isnan(x))
+        reason = number_read(text, &x);
+    if (reason)
+        return fail(why, SW_FORMAT, "'%.60s': %s", text, reason);
+    x *= lift_unit(s->index);
+    if (s->kind == TOLERANCE && !(x >= 0))
+        return fail(why, SW_FORMAT, "'%.60s': a tolerance must not be negative", text);
+    *(s->kind == TOLERANCE ? &ret->tol[s->index] : &ret->x[s->index]) = x;
+    return SW_OK;
+}
+
+/* The name of a column before what is wrong with its cell. */
+static enum status fail_cell(const struct lift_slot *slot, int i, struct why *why)
+{
+    const char *const ends[] = {"type", "type_1", "type_2"};
+    struct why copy = *why;
+    char name[LIFT_NAME];
+
+    lift_name(slot->kind == TYPE ? 0 : slot->index, name);
+    return fail(why, SW_FORMAT, "column %d: %s%s: %.400s", i + 1,
+                slot->kind == TYPE ? ends[slot->index] : name,
+                slot->kind == TOLERANCE ? "_tol" : "", copy.text);
+}
+
+static enum status read_cells(const struct lift_table *t, struct lift_given *ret, struct why *why)
+{
+    *ret = (struct lift_given){.type = {LIFT_UNKNOWN, LIFT_UNKNOWN, LIFT_UNKNOWN}};
+    for (int i = 0; i < LIFT_NUMBERS; i++)
+        ret->x[i] = NAN;
+    for (int i = 0; i < t->n; i++) {
+        const struct lift_slot *slot = &t->slot[i];
+        const char *text = cell(t, i);
+        enum status s = SW_OK;
+
+        if (slot->kind == COPIED || text[0] == '\0')
+            continue;
+        s = slot->kind == TYPE ? read_type(text, &ret->type[slot->index], why)
+                               : read_number(slot, text, ret, why);
+        if (s != SW_OK)
+            return fail_cell(slot, i, why);
+    }
+    return SW_OK;
+}
+
+enum status lift_row(struct lift_table *t, struct lift_given *ret, int *ret_end, struct why *why)
+{
+    enum status s;
+
+    *ret_end = t->done;
+    if (t->csv.name) {
+        s = csv_row(&t->csv, why);
+        *ret_end = s == SW_OK && !t->csv.cell;
+        if (s == SW_OK && !*ret_end)
+            s = csv_width(&t->csv, t->n_file, why);
+        if (s != SW_OK)
+            return s;
+    }
+    t->done = 1;
+    if (*ret_end)
+        return SW_OK;
+    s = read_cells(t, ret, why);
+    return s == SW_OK ? s : lift_fail(t, why);
+}
+
+int lift_has(const struct lift_table *t, int i, int tolerance)
+{
+    for (int k = 0; k < t->n; k++)
+        if (t->slot[k].kind == (tolerance ? TOLERANCE : NUMBER) && t->slot[k].index == i)
+            return 1;
+    return 0;
+}
+
+void lift_print_row(const struct lift_table *t, struct out *o)
+{
+    for (int i = 0; i < t->n; i++) {
+        if (i > 0)
+            putc(',', o->f);
+        out_cell(o, cell(t, i));
+    }
+}
+
+void lift_print_header(const struct lift_table *t, struct out *o)
+{
+    for (int i = 0; i < t->n; i++) {
+        if (i > 0)
+            putc(',', o->f);
+        out_cell(o, i < t->n_file ? t->csv.cell[i] : t->slot[i].added);
+    }
+}
+
+int lift_has_ends(const struct lift_table *t)
+{
+    for (int k = 0; k < t->n; k++)
+        if ((t->slot[k].kind == TYPE && t->slot[k].index > 0) ||
+            (t->slot[k].kind == NUMBER &&
+             (t->slot[k].index < LIFT_E1 ? t->slot[k].index % LIFT_ENDS > 0
+                                         : t->slot[k].index != LIFT_OFFSET)))
+            return 1;
+    return 0;
+}
+
+void lift_end(struct lift_table *t)
+{
+    for (int i = 0; t->slot && i < t->n; i++)
+        free(t->slot[i].added);
+    free(t->slot);
+    t->slot = NULL;
+    if (t->csv.reader)
+        csv_end(&t->csv);
+}
