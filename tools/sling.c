@@ -1,4 +1,5 @@
 /* sling: is this lift stable?  Metacentric heights of arrangements, one a row. */
+#include "form/axis.h"
 #include "form/doubt.h"
 #include "sys/number.h"
 
@@ -126,7 +127,7 @@ static void print_header(const struct lift_table *t, const struct asked *a, stru
     if (args.samples)
         fputs(",p_below,h_mean_m,h_deviation_m", o->f);
     for (int i = 0; i < LIFT_NUMBERS && args.derivatives; i++)
-        if (lift_has(t, i, 0)) {
+        if (lift_is_input(i) && lift_has(t, i, 0)) {
             lift_name(i, name);
             fprintf(o->f, ",dh_d%s", name);
         }
@@ -163,7 +164,7 @@ static void print_derivatives(const struct lift_table *t, const struct lift_give
 
     doubt_slopes(g, l, slopes);
     for (int i = 0; i < LIFT_NUMBERS; i++)
-        if (lift_has(t, i, 0))
+        if (lift_is_input(i) && lift_has(t, i, 0))
             cell(o, slopes[i]);
     greatest = doubt_greatest(g, slopes);
     if (greatest >= 0)
@@ -211,7 +212,7 @@ static void print_refused(const struct lift_table *t, const struct asked *a, con
          n > 0; n--)
         putc(',', o->f);
     for (int i = 0; i < LIFT_NUMBERS && args.derivatives; i++)
-        if (lift_has(t, i, 0))
+        if (lift_is_input(i) && lift_has(t, i, 0))
             putc(',', o->f);
     putc('\n', o->f);
 }
@@ -248,6 +249,45 @@ static int run_row(const struct lift_table *t, const struct asked *a, enum statu
     return !args.require || verdict <= a->require;
 }
 
+/* The rows resolved; returns whether all could be used. */
+static int print_cases(struct lift_table *t, struct out *o)
+{
+    struct lift_given g;
+    struct lift l;
+    struct why why;
+    int all = 1, end;
+
+    fputs("type,type_1,type_2", o->f);
+    for (int i = 0; i < LIFT_NUMBERS; i++) {
+        char name[LIFT_NAME];
+
+        lift_name(i, name);
+        fprintf(o->f, ",%s", name);
+    }
+    putc('\n', o->f);
+    for (;;) {
+        enum status s = lift_row(t, &g, &end, &why);
+
+        if (s == SW_READ || s == SW_NOMEM)
+            must(s, &why);
+        if (s == SW_OK && end)
+            return all;
+        if (s == SW_OK && (s = lift_make(&g, &l, &why)) != SW_OK)
+            lift_fail(t, &why);
+        if (s != SW_OK) {
+            report(&why);
+            all = 0;
+            continue;
+        }
+        lift_resolve(&l, &g);
+        fprintf(o->f, "%s,%s,%s", lift_type_name(g.type[0]), lift_type_name(g.type[1]),
+                lift_type_name(g.type[2]));
+        for (int i = 0; i < LIFT_NUMBERS; i++)
+            cell(o, g.x[i] / lift_unit(i));
+        putc('\n', o->f);
+    }
+}
+
 /* All rows; returns whether all could be used and none falls short. */
 static int run_table(struct lift_table *t, const struct asked *a, struct out *o)
 {
@@ -268,80 +308,26 @@ static int run_table(struct lift_table *t, const struct asked *a, struct out *o)
     return all;
 }
 
-/* One input of a contour: n values from one to the other. */
-struct axis {
-    int number;
-    double from, to;
-    long n;
-    char name[LIFT_NAME];
-};
-
-/* COL or COL=FROM:TO:N of length bytes. */
-static void read_axis(const char *text, size_t length, const struct lift_given *g, struct axis *ret)
-{
-    char copy[200], *range, *to, *n;
-    int tolerance;
-    double unit, x;
-
-    snprintf(copy, sizeof copy, "%.*s", (int)length, text);
-    range = strchr(copy, '=');
-    if (range)
-        *range++ = '\0';
-    ret->number = lift_column(copy, &tolerance);
-    if (ret->number < 0 || tolerance)
-        die(SW_USAGE, "--contour %s: '%s' is no number of an arrangement", args.contour, copy);
-    lift_name(ret->number, ret->name);
-    unit = lift_unit(ret->number);
-    x = g->x[ret->number] / unit;
-    if (!range) {
-        double by = unit < 1 ? 10 : x == 0 || isnan(x) ? 1 : fabs(x) / 2;
-
-        *ret = (struct axis){ret->number, isnan(x) ? 0 : x - by, (isnan(x) ? 0 : x) + by, 41, ""};
-        lift_name(ret->number, ret->name);
-        return;
-    }
-    to = strchr(range, ':');
-    n = to ? strchr(to + 1, ':') : NULL;
-    if (n) {
-        *to++ = *n++ = '\0';
-        if (!number_read(range, &ret->from) && !number_read(to, &ret->to) &&
-            !integer_read(n, 2, 10000, &ret->n))
-            return;
-    }
-    die(SW_USAGE, "--contour %s: expected COLUMN=FROM:TO:N, N from 2 to 10000", args.contour);
-}
-
-static double value(const struct axis *a, long k)
-{
-    return a->from + (a->to - a->from) * ((double)k / (double)(a->n - 1));
-}
-
 static void print_contour(struct lift_given *g, double limit, struct out *o)
 {
-    const char *comma = strchr(args.contour, ',');
     struct axis a, b;
+    struct why why;
 
-    if (!comma || strchr(comma + 1, ','))
-        die(SW_USAGE, "--contour %s: expected two columns with a comma between", args.contour);
-    read_axis(args.contour, (size_t)(comma - args.contour), g, &a);
-    read_axis(comma + 1, strlen(comma + 1), g, &b);
-    if (a.number == b.number)
-        die(SW_USAGE, "--contour %s: the columns are the same", args.contour);
+    must(axes_read(args.contour, g, &a, &b, &why), &why);
     fprintf(o->f, "%s,%s,h_m,verdict,why\n", a.name, b.name);
     for (long i = 0; i < a.n && !out_failed(o); i++)
         for (long k = 0; k < b.n; k++) {
             struct judgement j;
             struct lift l;
-            struct why why;
 
-            g->x[a.number] = value(&a, i) * lift_unit(a.number);
-            g->x[b.number] = value(&b, k) * lift_unit(b.number);
+            g->x[a.number] = axis_value(&a, i) * lift_unit(a.number);
+            g->x[b.number] = axis_value(&b, k) * lift_unit(b.number);
             if (lift_make(g, &l, &why) == SW_OK)
                 judge(&l, limit, NAN, &j);
             else
                 judge_not(why.text, &j);
-            out_number(o, value(&a, i));
-            cell(o, value(&b, k));
+            out_number(o, axis_value(&a, i));
+            cell(o, axis_value(&b, k));
             cell(o, j.least);
             fprintf(o->f, ",%s,", verdict_name(j.verdict));
             out_cell(o, j.why);
@@ -383,7 +369,8 @@ static void read_options(struct asked *a)
 
         snprintf(name, sizeof name, "%.*s", (int)(equals - args.design), args.design);
         a->design = lift_column(name, &tolerance);
-        if (tolerance || a->design == LIFT_OFFSET || number_read(equals + 1, &a->wanted))
+        if (tolerance || a->design < 0 || !lift_is_input(a->design) ||
+            number_read(equals + 1, &a->wanted))
             a->design = -1;
     }
     if (args.design && a->design < 0)
@@ -455,7 +442,7 @@ int main(int argc, char **argv)
         print_contour(&g, asked.limit, &o);
     } else {
         must(out_open(&o, args.common.out, &why), &why);
-        all = run_table(&t, &asked, &o);
+        all = args.common.print_case ? print_cases(&t, &o) : run_table(&t, &asked, &o);
     }
     lift_end(&t);
     in_close(&in);

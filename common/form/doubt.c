@@ -126,7 +126,7 @@ static void begin(struct row_box *r, const struct lift_given *g, const struct li
     r->l = l;
     r->n = 0;
     for (int i = 0; i < LIFT_NUMBERS; i++) {
-        int is_input = !isnan(g->x[i]) && i != LIFT_OFFSET && (all || g->tol[i] > 0);
+        int is_input = !isnan(g->x[i]) && lift_is_input(i) && (all || g->tol[i] > 0);
 
         r->input[i] = is_input ? r->n : -1;
         if (is_input)

@@ -193,3 +193,45 @@ enum status lift_make(const struct lift_given *g, struct lift *ret, struct why *
         return fail(why, SW_ADMISSIBLE, "type: is missing");
     return g->type[0] == LIFT_PAIR ? make_pair(g, ret, why) : make_one(g, ret, why);
 }
+
+/* A number of an end that follows, unless it is given for both. */
+static void put(struct lift_given *g, int q, int end, double value)
+{
+    if (isnan(g->x[LIFT_AT(q, 0)]) || end == 0 || q == LIFT_LOAD)
+        g->x[LIFT_AT(q, end)] = value;
+}
+
+static void write_back(const struct suspension *a, int end, struct lift_given *g)
+{
+    int main_view = isnan(a->T[RIGGING_LONG]) && !isnan(a->T[RIGGING_CROSS]);
+    double T = a->T[main_view];
+
+    put(g, LIFT_Z, end, a->z);
+    put(g, LIFT_SLINGS, end, a->slings);
+    put(g, LIFT_STABILIZED, end, a->stabilized);
+    put(g, LIFT_LOAD, end, a->m_load);
+    if (a->type == RIGGING_SINGLE)
+        return;
+    put(g, LIFT_V, end, a->v);
+    if (isfinite(T)) {
+        put(g, LIFT_PHI, end, atan(T));
+        put(g, end > 0 || main_view ? LIFT_CROSS : LIFT_LONG, end, 2 * (a->v * T + a->s * a->t));
+    }
+    if (a->type == RIGGING_ELASTIC)
+        put(g, LIFT_USE, end, a->use);
+    if (a->type != RIGGING_SECONDARY)
+        return;
+    put(g, LIFT_S, end, a->s);
+    put(g, LIFT_GAMMA, end, atan(a->t));
+    put(g, LIFT_SPREADER, end, a->m_spreader);
+}
+
+void lift_resolve(const struct lift *l, struct lift_given *g)
+{
+    if (l->ends == 1)
+        write_back(&l->end[0], 0, g);
+    for (int end = 1; end <= 2 && l->ends == 2; end++) {
+        g->type[end] = (int)l->end[end - 1].type;
+        write_back(&l->end[end - 1], end, g);
+    }
+}

@@ -190,6 +190,19 @@ static const struct suspension *narrow_spreader(const struct lift *l)
     return NULL;
 }
 
+/* Primary slings that may be as steep. */
+static int without_angle(const struct lift *l)
+{
+    for (int k = 0; k < l->ends; k++) {
+        const struct suspension *a = &l->end[k];
+
+        if (a->type == RIGGING_PRIMARY && !a->stabilized && a->z > 0 &&
+            isinf(a->T[isnan(a->T[RIGGING_LONG])]))
+            return 1;
+    }
+    return 0;
+}
+
 /* Greatest use of a sling; an elastic sling's given use counts, too. */
 static double greatest_use(const struct lift *l, const struct judgement *j)
 {
@@ -210,6 +223,12 @@ static void decide(const struct lift *l, const struct found *f, double limit, do
         say(j, VERDICT_NONE, "no height could be computed");
     else if (!(j->least > 0))
         say(j, VERDICT_UNSTABLE, "%s = %.4g m is not above 0: %s", h, j->least, by);
+    else if (without_angle(l))
+        say(j, VERDICT_NONE,
+            "phi is missing and no base gives it: slings of less than 5 deg need another rule "
+            "(1.3.1);"
+            " %s = %.4g m",
+            h, j->least);
     else if (narrow)
         say(j, VERDICT_NONE,
             "phi < 5 deg and z > v tan(phi) = %.4g m under a spreader: no rule is known; %s = %.4g "

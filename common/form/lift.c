@@ -1,41 +1,11 @@
-/* Columns of sling: names, cells, arrangements. */
+/* Tables of arrangements, row by row. */
 #include "form/lift.h"
 #include "num/mem.h"
-#include "num/pi.h"
 #include "sys/number.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define DEGREE (PI / 180)
-
-/* Quantities of struct rigging: stem and unit of the column, SI units in one of it. */
-static const struct quantity {
-    const char *stem, *unit;
-    double factor;
-} quantities[LIFT_QUANTITIES] = {
-    {"v", "_m", 1},
-    {"s", "_m", 1},
-    {"z", "_m", 1},
-    {"phi", "_deg", DEGREE},
-    {"gamma", "_deg", DEGREE},
-    {"m_spreader", "_t", 1000},
-    {"m_load", "_t", 1000},
-    {"sling", "_m", 1},
-    {"base_long", "_m", 1},
-    {"base_cross", "_m", 1},
-    {"strain_wll", "", 1},
-    {"use", "", 1},
-    {"wll", "_kN", 1000},
-    {"wll_secondary", "_kN", 1000},
-    {"slings", "", 1},
-    {"stabilized", "", 1},
-};
-
-static const char *const alone[] = {"e1_m", "e2_m", "offset_m"};
-static const char *const types[] = {"single", "primary", "primary-elastic", "primary-secondary",
-                                    "pair"};
 
 /* Results of sling, which its input must not have already. */
 static const char *const results[] = {"c", "h_m", "z_critical_m", "verdict", "why"};
@@ -48,81 +18,6 @@ struct lift_slot {
     char *added;     /* name of a column that --set adds; owned */
     const char *set; /* value of --set, or NULL; points into argv */
 };
-
-const char *lift_type_name(int type)
-{
-    return type >= 0 && type <= LIFT_PAIR ? types[type] : "";
-}
-
-void lift_name(int i, char ret[LIFT_NAME])
-{
-    if (i >= LIFT_E1) {
-        snprintf(ret, LIFT_NAME, "%s", alone[i - LIFT_E1]);
-    } else {
-        const struct quantity *q = &quantities[i / LIFT_ENDS];
-        const char *const ends[] = {"", "_1", "_2"};
-
-        snprintf(ret, LIFT_NAME, "%s%s%s", q->stem, ends[i % LIFT_ENDS], q->unit);
-    }
-}
-
-const char *lift_stem(int quantity)
-{
-    return quantities[quantity].stem;
-}
-
-double lift_unit(int i)
-{
-    return i < LIFT_E1 ? quantities[i / LIFT_ENDS].factor : 1;
-}
-
-/* name without the end that it names, 0: none: "v_1_m" and "v_m_1" are "v_m" of end 1. */
-static int strip_end(const char *name, const struct quantity *q)
-{
-    size_t stem = strlen(q->stem), unit = strlen(q->unit);
-    const char *rest = name + stem;
-
-    if (strncmp(name, q->stem, stem) != 0)
-        return -1;
-    if (strcmp(rest, q->unit) == 0)
-        return 0;
-    for (int end = 1; end < LIFT_ENDS; end++) {
-        const char suffix[] = {'_', (char)('0' + end), '\0'};
-
-        if ((strncmp(rest, suffix, 2) == 0 && strcmp(rest + 2, q->unit) == 0) ||
-            (strncmp(rest, q->unit, unit) == 0 && strcmp(rest + unit, suffix) == 0))
-            return end;
-    }
-    return -1;
-}
-
-static int number_column(const char *name)
-{
-    for (int q = 0; q < LIFT_QUANTITIES; q++) {
-        int end = strip_end(name, &quantities[q]);
-
-        if (end >= 0)
-            return q * LIFT_ENDS + end;
-    }
-    for (int i = 0; i < LIFT_NUMBERS - LIFT_E1; i++)
-        if (strcmp(name, alone[i]) == 0)
-            return LIFT_E1 + i;
-    return -1;
-}
-
-int lift_column(const char *name, int *ret_tolerance)
-{
-    size_t n = strlen(name);
-    char stem[LIFT_NAME + 8];
-
-    *ret_tolerance = n > 4 && n < sizeof stem && strcmp(name + n - 4, "_tol") == 0;
-    if (!*ret_tolerance)
-        return number_column(name);
-    memcpy(stem, name, n - 4);
-    stem[n - 4] = '\0';
-    n = (size_t)number_column(stem);
-    return (int)n / LIFT_ENDS == LIFT_STABILIZED && (int)n < LIFT_E1 ? -1 : (int)n;
-}
 
 /* What a column is. */
 static struct lift_slot slot_of(const char *name)
@@ -139,56 +34,6 @@ static struct lift_slot slot_of(const char *name)
         s.index = i;
     }
     return s;
-}
-
-/* Lower case letters and digits of name before its unit. */
-static void plain(const char *name, char ret[LIFT_NAME])
-{
-    static const char *const units[] = {"m", "mm", "cm", "deg", "rad", "t", "kg", "kn", "n", "tol"};
-    size_t n = 0;
-    char *unit;
-
-    for (; *name && n < LIFT_NAME - 1; name++)
-        ret[n++] = *name == '-' || *name == ' ' || *name == '.' ? '_'
-                   : *name >= 'A' && *name <= 'Z'               ? (char)(*name + ('a' - 'A'))
-                                                                : *name;
-    ret[n] = '\0';
-    unit = strrchr(ret, '_');
-    for (size_t i = 0; unit && i < sizeof units / sizeof *units; i++)
-        if (strcmp(unit + 1, units[i]) == 0) {
-            *unit = '\0';
-            return;
-        }
-}
-
-/* Whether a and b differ by no more than one letter put in, left out or changed. */
-static int one_apart(const char *a, const char *b)
-{
-    size_t n = strlen(a), m = strlen(b), i = 0;
-
-    if (n > m)
-        return one_apart(b, a);
-    while (i < n && a[i] == b[i])
-        i++;
-    return m - n <= 1 && strcmp(a + i + (n == m && i < n), b + i + (i < m)) == 0;
-}
-
-/* The column of sling that name nearly is, or NULL: the same but for case and unit, or one letter
- * wrong in a name of four or more. */
-static const char *nearly(const char *name, char ret[LIFT_NAME])
-{
-    char mine[LIFT_NAME], its[LIFT_NAME];
-
-    plain(name, mine);
-    for (int i = 0; i < LIFT_NUMBERS; i++) {
-        lift_name(i, ret);
-        plain(ret, its);
-        if (strcmp(mine, its) == 0 || (strlen(its) >= 4 && i < LIFT_E1 && one_apart(mine, its)) ||
-            (strlen(ret) >= 5 && one_apart(name, ret)))
-            return ret;
-    }
-    snprintf(ret, LIFT_NAME, "type");
-    return strcmp(mine, "typ") == 0 || strcmp(mine, "type") == 0 ? ret : NULL;
 }
 
 static const char *place(const struct lift_table *t, char ret[512])
@@ -224,7 +69,7 @@ static enum status judge_name(const struct lift_table *t, int i, const char *nam
         if (strcmp(name, results[k]) == 0)
             return fail(why, SW_FORMAT, "column %d: '%s' is a result of sling; leave it out", i + 1,
                         name);
-    if (nearly(name, close))
+    if (lift_nearly(name, close))
         return fail(why, SW_FORMAT, "column %d: '%.60s' is no column of sling; is %s meant?", i + 1,
                     name, close);
     if (strcmp(name, "name") != 0) {
@@ -277,8 +122,8 @@ static enum status take_set(struct lift_table *t, const char *text, struct why *
         s = slot_of(name);
     if (!equals || (s.kind == COPIED && strcmp(name, "name") != 0))
         return fail(why, SW_USAGE, "--set %.60s: expected COLUMN=VALUE%s%s", text,
-                    equals && nearly(name, close) ? "; is this column meant: " : "",
-                    equals && nearly(name, close) ? close : "");
+                    equals && lift_nearly(name, close) ? "; is this column meant: " : "",
+                    equals && lift_nearly(name, close) ? close : "");
     if (s.kind == COPIED)
         i = t->n;
     while (i < t->n && !(t->slot[i].kind == s.kind && t->slot[i].index == s.index))
@@ -328,18 +173,6 @@ static const char *cell(const struct lift_table *t, int i)
     return i < t->csv.n && i < t->n_file ? t->csv.cell[i] : "";
 }
 
-static enum status read_type(const char *text, int *ret, struct why *why)
-{
-    for (int k = 0; k <= LIFT_PAIR; k++)
-        if (strcmp(text, types[k]) == 0) {
-            *ret = k;
-            return SW_OK;
-        }
-    return fail(why, SW_FORMAT,
-                "'%.60s': expected single, primary, primary-elastic, primary-secondary or pair",
-                text);
-}
-
 static enum status read_number(const struct lift_slot *s, const char *text, struct lift_given *ret,
                                struct why *why)
 {
@@ -366,10 +199,12 @@ static enum status fail_cell(const struct lift_slot *slot, int i, struct why *wh
 {
     const char *const ends[] = {"type", "type_1", "type_2"};
     struct why copy = *why;
-    char name[LIFT_NAME];
+    char name[LIFT_NAME], column[40] = "";
 
     lift_name(slot->kind == TYPE ? 0 : slot->index, name);
-    return fail(why, SW_FORMAT, "column %d: %s%s: %.400s", i + 1,
+    if (!slot->set)
+        snprintf(column, sizeof column, "column %d: ", i + 1);
+    return fail(why, SW_FORMAT, "%s%s%s: %.400s", column,
                 slot->kind == TYPE ? ends[slot->index] : name,
                 slot->kind == TOLERANCE ? "_tol" : "", copy.text);
 }
@@ -386,7 +221,7 @@ static enum status read_cells(const struct lift_table *t, struct lift_given *ret
 
         if (slot->kind == COPIED || text[0] == '\0')
             continue;
-        s = slot->kind == TYPE ? read_type(text, &ret->type[slot->index], why)
+        s = slot->kind == TYPE ? lift_type_read(text, &ret->type[slot->index], why)
                                : read_number(slot, text, ret, why);
         if (s != SW_OK)
             return fail_cell(slot, i, why);

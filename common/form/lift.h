@@ -1,47 +1,13 @@
 /*
  * Arrangements of lifts: rows of a CSV table, or one from the command line, to suspensions.
- *
- * Each quantity of struct rigging is a column named with its unit (v_m, phi_deg, m_load_t, wll_kN);
- * in a pair with the suffix _1 or _2 before the unit (v_1_m; behind it is understood, too), or
- * without one for both ends.  NAME_tol is a tolerance, plus or minus, in the same unit.
  */
 #ifndef SEILWERK_FORM_LIFT_H
 #define SEILWERK_FORM_LIFT_H
 
-#include "phys/rigging.h"
+#include "form/column.h"
 #include "sys/csv.h"
 #include "sys/opt.h"
 #include "sys/out.h"
-
-/* Quantities of struct rigging, in the order of struct lift_given. */
-enum lift_quantity {
-    LIFT_V,
-    LIFT_S,
-    LIFT_Z,
-    LIFT_PHI,
-    LIFT_GAMMA,
-    LIFT_SPREADER,
-    LIFT_LOAD,
-    LIFT_SLING,
-    LIFT_LONG,
-    LIFT_CROSS,
-    LIFT_STRAIN,
-    LIFT_USE,
-    LIFT_WLL,
-    LIFT_WLL_SECONDARY,
-    LIFT_SLINGS,
-    LIFT_STABILIZED,
-    LIFT_QUANTITIES
-};
-
-#define LIFT_ENDS 3 /* the whole, end 1, end 2 */
-#define LIFT_E1 (LIFT_QUANTITIES * LIFT_ENDS)
-#define LIFT_E2 (LIFT_E1 + 1)
-#define LIFT_OFFSET (LIFT_E1 + 2)
-#define LIFT_NUMBERS (LIFT_E1 + 3)
-
-#define LIFT_UNKNOWN -1 /* type that is not given */
-#define LIFT_PAIR 4     /* type of the whole beside those of enum rigging_type */
 
 /* One row as it is written, in SI units and radians. */
 struct lift_given {
@@ -58,26 +24,12 @@ struct lift {
     double offset;   /* m, NAN: not given */
 };
 
-/* Index in x of the column called name, with *ret_tolerance set if it is one's tolerance; -1. */
-int lift_column(const char *name, int *ret_tolerance);
-
-/* Name of x[i]; at most LIFT_NAME bytes with the NUL.  SI units in one of the column's. */
-#define LIFT_NAME 32
-void lift_name(int i, char ret[LIFT_NAME]);
-double lift_unit(int i);
-
-/* Name of a quantity without end and unit. */
-const char *lift_stem(int quantity);
-
-/* Which x of end 1 or 2, 0: of the whole. */
-#define LIFT_AT(quantity, end) ((quantity)*LIFT_ENDS + (end))
-
 /* The arrangement of a row (hang.c).  The type of an end that is not given is primary-secondary
  * with s, primary with v only, else single.  SW_ADMISSIBLE, with column and reason in why. */
 enum status lift_make(const struct lift_given *g, struct lift *ret, struct why *why);
 
-/* Word of a type. */
-const char *lift_type_name(int type);
+/* Write all that follows from g, from which l was made, into g: given back it makes the same l. */
+void lift_resolve(const struct lift *l, struct lift_given *g);
 
 /* A table that is read row by row, or the one arrangement of --set alone. */
 struct lift_table {

@@ -89,6 +89,8 @@ static struct span primary_height(const struct rigging_box *b, struct span v)
         h[view] = span_none();
         if (is_given(&b->base[view]))
             h[view] = ruled(b, span_div(scaled(0.5, b->base[view]), v), v, high);
+        else if (view == main_view && !is_given(&b->phi))
+            h[view] = high;
         else if (view == main_view)
             h[view] = ruled(b, span_tan(b->phi), v, high);
     }
@@ -132,9 +134,16 @@ static int secondary_height(const struct rigging_box *b, struct span v, struct s
                             struct span *ret_r)
 {
     const struct span *base = is_given(&b->base[0]) ? &b->base[0] : &b->base[1];
-    struct span one = number(b, 1), mu = one, T = span_tan(b->phi), d = span_mul(v, T), t, half;
-    struct span t2, c, lean;
+    struct span one = number(b, 1), mu = one, T, d, t, half, t2, c, lean;
 
+    if (b->m_spreader.hi > 0)
+        mu = span_add(one, span_div(b->m_spreader, b->m_load));
+    if (!is_given(&b->phi)) { /* gamma = 0: (6) */
+        *ret_h = span_sub(span_mul(v, mu), b->z);
+        return b->gamma.lo == 0 && b->gamma.hi == 0;
+    }
+    T = span_tan(b->phi);
+    d = span_mul(v, T);
     if (is_given(&b->gamma)) {
         t = span_tan(b->gamma);
         half = span_add(d, span_mul(b->s, t));
@@ -144,8 +153,6 @@ static int secondary_height(const struct rigging_box *b, struct span v, struct s
     }
     if (!(half.lo > 0))
         return 0;
-    if (b->m_spreader.hi > 0)
-        mu = span_add(one, span_div(b->m_spreader, b->m_load));
     t2 = span_add(one, span_square(t));
     lean = span_div(span_mul(mu, t), T);
     c = span_div(span_sub(one, lean), t2);

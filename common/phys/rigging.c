@@ -200,7 +200,7 @@ double rigging_critical_gamma(const struct suspension *a)
     struct suspension copy = *a;
     double T = a->T[isnan(a->T[RIGGING_LONG])], steepest = tan(89 * PI / 180);
 
-    if (a->type != RIGGING_SECONDARY)
+    if (a->type != RIGGING_SECONDARY || isinf(T))
         return NAN;
     return atan(a->t + nearest(at_gamma, &copy,
                                fmax(-(1 - 1e-12) * a->v * T / a->s, -steepest) - a->t,
@@ -318,11 +318,11 @@ static enum status find_angles(const struct rigging *r, struct suspension *a,
         a->T[view] = r->base[view] / (2 * a->v);
     if (r->type == RIGGING_ELASTIC)
         a->T[RIGGING_CROSS] = NAN; /* two hooks: the slings hang vertically in this view */
-    if (isnan(r->phi))
-        return isnan(a->T[main_view])
-                   ? refuse(fault, "phi", "is missing, and no base that it follows from is given",
-                            NAN, "")
-                   : SW_OK;
+    if (isnan(r->phi)) {
+        if (isnan(a->T[main_view]))
+            a->T[main_view] = INFINITY;
+        return SW_OK;
+    }
     if (!isnan(a->T[main_view]) && !agree(tan(r->phi), a->T[main_view]))
         return refuse(fault, "phi", "contradicts v and base; base over 2 v makes it",
                       atan(a->T[main_view]) * 180 / PI, "deg");
@@ -360,7 +360,7 @@ static enum status judge_secondary(const struct rigging *r, struct rigging_fault
 {
     if (isnan(r->s))
         return refuse(fault, "s", "is missing", NAN, "");
-    if (isnan(r->phi))
+    if (isnan(r->phi) && r->gamma != 0)
         return refuse(fault, "phi", "is missing", NAN, "");
     if (isnan(r->gamma) && isnan(r->base[0]) && isnan(r->base[1]))
         return refuse(fault, "gamma", "is missing, and no base that it follows from is given", NAN,
@@ -381,7 +381,7 @@ static enum status complete_secondary(const struct rigging *r, struct suspension
                                       struct rigging_fault *fault)
 {
     enum rigging_view view = isnan(r->base[RIGGING_LONG]) ? RIGGING_CROSS : RIGGING_LONG;
-    double T = tan(r->phi), half;
+    double T = isnan(r->phi) ? INFINITY : tan(r->phi), half;
 
     if (judge_secondary(r, fault) != SW_OK)
         return SW_ADMISSIBLE;
@@ -393,7 +393,7 @@ static enum status complete_secondary(const struct rigging *r, struct suspension
                       half, "m");
     if (!isnan(r->base[RIGGING_CROSS]) && agree(2 * half, r->base[RIGGING_CROSS]))
         view = RIGGING_CROSS;
-    if (!isnan(r->base[view]) && !agree(2 * half, r->base[view]))
+    if (!isnan(r->base[view]) && isfinite(half) && !agree(2 * half, r->base[view]))
         return refuse(fault, "gamma", "contradicts the base; v, s, phi and gamma make it", 2 * half,
                       "m");
     a->T[RIGGING_LONG] = a->T[RIGGING_CROSS] = NAN;

@@ -49,7 +49,8 @@ struct suspension {
     enum rigging_type type;
     int stabilized;
     double v, s, z;             /* m */
-    double T[RIGGING_VIEWS];    /* tan(phi) of each view; NAN: the view is not described */
+    double T[RIGGING_VIEWS];    /* tan(phi) of each view; NAN: the view is not described; INFINITY:
+                                   its angle is not known, and h does not depend on it */
     double base[RIGGING_VIEWS]; /* m; NAN: not given */
     double t;                   /* tan(gamma) */
     double mu;                  /* 1 + m_spreader/m_load */

@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-/* 1/cos of the slope of a primary sling, tan^2 of which is the sum of both views'. */
+/* 1/cos of the slope of a primary sling, tan^2 of which is the sum of both views'; NAN: not known.
+ */
 static double slope(const struct suspension *a)
 {
     double sum = 1;
@@ -11,7 +12,7 @@ static double slope(const struct suspension *a)
     for (int view = 0; view < RIGGING_VIEWS; view++)
         if (!isnan(a->T[view]))
             sum += a->T[view] * a->T[view];
-    return sqrt(sum);
+    return isinf(sum) ? NAN : sqrt(sum);
 }
 
 void righting_upright(const struct suspension *a, double *ret_primary, double *ret_secondary)
@@ -63,7 +64,7 @@ void righting_at(const struct suspension *a, enum rigging_view view, double h, d
     ret->load = atan(isnan(tilt) ? NAN : load);
     if (a->type == RIGGING_SECONDARY)
         ret->spreader = atan(tilt);
-    if (!isnan(T))
+    if (isfinite(T))
         moments(a, T, h, by, ret);
     if (a->type == RIGGING_SINGLE) {
         ret->primary_low = ret->primary_high = up;
