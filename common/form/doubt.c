@@ -142,7 +142,8 @@ static int settle(const struct row_box *r, const struct span *h, struct box *b)
 
     for (int k = 0; k < r->n; k++) {
         double width = b->hi[k] - b->lo[k];
-        double effect = width * fmax(fabs(h->dlo[k]), fabs(h->dhi[k]));
+        double effect =
+            width * fmin(fmax(fabs(h->dlo[k]), fabs(h->dhi[k])), 1e100 / r->g->tol[r->number[k]]);
 
         if (h->dlo[k] >= 0)
             b->hi[k] = b->lo[k];
@@ -159,15 +160,28 @@ static int settle(const struct row_box *r, const struct span *h, struct box *b)
 #define PARTS 2000
 #define CLOSE 1e-6 /* of the bound to what is attained */
 
-/* Least h of one point of the box, from above. */
-static double attained(const struct row_box *r, const struct box *b)
+/*
+ * h in the middle of the box, from above, which some arrangement attains; *bound is raised to the
+ * mean value form: h there, less the greatest slope times the half width of each input.
+ */
+static double at_middle(const struct row_box *r, const struct box *b, const struct span *slopes,
+                        double *bound)
 {
     struct box middle = *b;
     struct span h;
+    double fall = 0;
 
-    for (int k = 0; k < r->n; k++)
-        middle.lo[k] = middle.hi[k] = b->lo[k] + (b->hi[k] - b->lo[k]) / 2;
-    return height(r, &middle, &h) ? h.hi : INFINITY;
+    for (int k = 0; k < r->n; k++) {
+        double half = (b->hi[k] - b->lo[k]) / 2;
+
+        middle.lo[k] = middle.hi[k] = b->lo[k] + half;
+        if (half > 0)
+            fall += half * fmax(fabs(slopes->dlo[k]), fabs(slopes->dhi[k]));
+    }
+    if (!height(r, &middle, &h))
+        return INFINITY;
+    *bound = fmax(*bound, h.lo - fall * (1 + 1e-12));
+    return h.hi;
 }
 
 double doubt_worst(const struct lift_given *g, const struct lift *l)
@@ -175,7 +189,7 @@ double doubt_worst(const struct lift_given *g, const struct lift *l)
     struct row_box r;
     struct box stack[64];
     int n = 1, parts = 0;
-    double best = INFINITY, bound = INFINITY;
+    double best = INFINITY, all = INFINITY;
 
     begin(&r, g, l, 0);
     for (int k = 0; k < r.n; k++) {
@@ -187,25 +201,25 @@ double doubt_worst(const struct lift_given *g, const struct lift *l)
     while (n > 0) {
         struct box b = stack[--n];
         struct span h;
+        double bound;
         int cut;
 
         if (!height(&r, &b, &h) || isnan(h.lo))
             return -INFINITY;
+        bound = h.lo;
         cut = settle(&r, &h, &b);
-        best = fmin(best, attained(&r, &b));
-        if (cut >= 0 && ++parts < PARTS && n < 62 && !(h.lo >= best - CLOSE * (1 + fabs(best)))) {
+        best = fmin(best, at_middle(&r, &b, &h, &bound));
+        if (cut >= 0 && ++parts < PARTS && n < 62 && !(bound >= best - CLOSE * (1 + fabs(best)))) {
             double middle = b.lo[cut] + (b.hi[cut] - b.lo[cut]) / 2;
 
             stack[n] = stack[n + 1] = b;
             stack[n++].hi[cut] = middle;
             stack[n++].lo[cut] = middle;
         } else {
-            if (cut < 0)
-                height(&r, &b, &h); /* all inputs stand at their worse ends */
-            bound = fmin(bound, h.lo);
+            all = fmin(all, bound);
         }
     }
-    return bound;
+    return all;
 }
 
 void doubt_slopes(const struct lift_given *g, const struct lift *l, double ret[LIFT_NUMBERS])

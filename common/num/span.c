@@ -161,7 +161,7 @@ struct span span_cos(struct span a)
     return chain(&a, widen(cos(a.hi), cos(a.lo)), widen(-sin(a.hi), -sin(a.lo)));
 }
 
-struct span span_hull(struct span a, struct span b)
+static struct span hull(struct span a, struct span b)
 {
     struct span ret = make(a.n, (struct pair){fmin(a.lo, b.lo), fmax(a.hi, b.hi)});
 
@@ -178,7 +178,19 @@ struct span span_min(struct span a, struct span b)
 
     if (a.hi <= b.lo || b.hi <= a.lo)
         return a.hi <= b.lo ? a : b;
-    ret = span_hull(a, b);
+    ret = hull(a, b);
     ret.hi = fmin(a.hi, b.hi);
+    return ret;
+}
+
+struct span span_either(struct span a, struct span b, struct span x)
+{
+    struct span ret = hull(a, b);
+
+    for (int i = 0; i < x.n; i++)
+        if (!(fabs(x.dlo[i]) <= DBL_MIN * 1e9 && fabs(x.dhi[i]) <= DBL_MIN * 1e9)) {
+            ret.dlo[i] = -INFINITY;
+            ret.dhi[i] = INFINITY;
+        }
     return ret;
 }

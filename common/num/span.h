@@ -33,6 +33,8 @@ struct span span_root(struct span a); /* a.lo > 0 */
 struct span span_tan(struct span a);  /* within (-pi/2, pi/2) */
 struct span span_cos(struct span a);  /* within [0, pi/2) */
 struct span span_min(struct span a, struct span b);
-struct span span_hull(struct span a, struct span b); /* one or the other */
+
+/* a or b, as some condition on x says: derivatives by what x depends on are unbounded. */
+struct span span_either(struct span a, struct span b, struct span x);
 
 #endif

@@ -77,7 +77,9 @@ static struct span ruled(const struct rigging_box *b, struct span T, struct span
 
     if (b->stabilized || T.lo >= RIGGING_TAN5 || b->z.hi <= edge.lo)
         return high;
-    return T.hi < RIGGING_TAN5 && b->z.lo > edge.hi ? low : span_hull(low, high);
+    if (T.hi < RIGGING_TAN5 && b->z.lo > edge.hi)
+        return low;
+    return span_either(span_either(span_either(low, high, T), high, v), high, b->z);
 }
 
 static struct span primary_height(const struct rigging_box *b, struct span v)

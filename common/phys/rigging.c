@@ -66,7 +66,7 @@ static void height(const struct suspension *a, enum rigging_view view, struct ri
     double h = NAN, document = NAN;
 
     switch (a->type) {
-    case RIGGING_SINGLE: h = -a->z; break;
+    case RIGGING_SINGLE: h = 0 - a->z; break; /* never -0 */
     case RIGGING_PRIMARY: h = a->v - a->z; break;
     case RIGGING_SECONDARY: h = secondary_height(a, a->T[view]); break;
     case RIGGING_ELASTIC:
@@ -78,7 +78,7 @@ static void height(const struct suspension *a, enum rigging_view view, struct ri
     ret->ruled[view] =
         a->type != RIGGING_SINGLE && a->type != RIGGING_SECONDARY && is_narrow(a, view);
     if (ret->ruled[view])
-        h = document = -a->z;
+        h = document = 0 - a->z;
     ret->h[view] = h;
     ret->document[view] = document;
     ret->centre[view] = a->type == RIGGING_SINGLE || ret->ruled[view] ? 0
@@ -181,10 +181,13 @@ static double at_v(double x, void *context)
 double rigging_critical_v(const struct suspension *a)
 {
     struct suspension copy = *a;
+    double T = a->T[isnan(a->T[RIGGING_LONG])], low = -log(1000);
 
     if (a->type == RIGGING_SINGLE)
         return NAN;
-    return a->v * exp(nearest(at_v, &copy, -log(1000), log(1000), 0.001));
+    if (a->t < 0) /* below this v there is no base */
+        low = fmax(low, log(-(1 + 1e-6) * a->s * a->t / (a->v * T)));
+    return a->v * exp(nearest(at_v, &copy, fmin(low, 0), log(1000), 0.001));
 }
 
 static double at_gamma(double x, void *context)
@@ -203,7 +206,7 @@ double rigging_critical_gamma(const struct suspension *a)
     if (a->type != RIGGING_SECONDARY || isinf(T))
         return NAN;
     return atan(a->t + nearest(at_gamma, &copy,
-                               fmax(-(1 - 1e-12) * a->v * T / a->s, -steepest) - a->t,
+                               fmax(-(1 - 1e-6) * a->v * T / a->s, -steepest) - a->t,
                                steepest - a->t, 1e-3));
 }
 

@@ -117,7 +117,8 @@ double rigging_critical_z(const struct suspension *a);
 
 /* The v, and the gamma [rad], next to the present one at which the least height passes 0; all else
  * stays: angles where they were given or follow, the base of elastic slings.  NAN: there is none
- * (v up to 1000 times the present one), or the type has no such quantity. */
+ * (v up to 1000 times the present one, gamma until 1e-6 of the base is left), or the type has no
+ * such quantity. */
 double rigging_critical_v(const struct suspension *a);
 double rigging_critical_gamma(const struct suspension *a);
 
