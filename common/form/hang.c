@@ -120,7 +120,7 @@ static enum status find_shares(const struct lift_given *g, double share[2], doub
         share[0] = 1 - m[1] / all;
     if (isnan(share[0]))
         return refuse(why, LIFT_E1,
-                      "a pair needs e1_m and e2_m, or m_load_1_t and m_load_2_t: is missing");
+                      "is missing; a pair needs e1_m and e2_m, or m_load_1_t and m_load_2_t");
     if (!isnan(e1 + e2) && fabs(share[0] - e2 / (e1 + e2)) > AGREE)
         return refuse(why, LIFT_E1, "contradicts the masses: m_1 to m_2 must be as e2 to e1");
     share[1] = 1 - share[0];

@@ -81,32 +81,41 @@ static enum status judge_name(const struct lift_table *t, int i, const char *nam
     return SW_OK;
 }
 
-static enum status take_header(struct lift_table *t, struct why *why)
+/* Columns must be different; one at least must be ours, which is asked before any is warned of. */
+static enum status judge_columns(const struct lift_table *t, struct why *why)
 {
     int known = 0;
 
     for (int i = 0; i < t->n_file; i++) {
-        const char *name = t->csv.cell[i];
-        enum status s = SW_OK;
+        const struct lift_slot *slot = &t->slot[i];
 
-        t->slot[i] = slot_of(name);
-        known += t->slot[i].kind != COPIED;
-        if (t->slot[i].kind == COPIED)
-            s = judge_name(t, i, name, why);
-        if (s != SW_OK)
-            return s;
+        known += slot->kind != COPIED;
         for (int j = 0; j < i; j++)
-            if (strcmp(name, t->csv.cell[j]) == 0 ||
-                (t->slot[i].kind != COPIED && t->slot[i].kind == t->slot[j].kind &&
-                 t->slot[i].index == t->slot[j].index))
+            if (strcmp(t->csv.cell[i], t->csv.cell[j]) == 0 ||
+                (slot->kind != COPIED && slot->kind == t->slot[j].kind &&
+                 slot->index == t->slot[j].index))
                 return fail(why, SW_FORMAT, "columns %d and %d are both '%.60s'", j + 1, i + 1,
-                            name);
+                            t->csv.cell[i]);
     }
+    for (int i = 0; i < t->n_file; i++)
+        if (t->slot[i].kind == COPIED && (known || t->n_file == 1)) {
+            enum status s = judge_name(t, i, t->csv.cell[i], why);
+
+            if (s != SW_OK)
+                return s;
+        }
     if (t->n_file > 0 && known == 0)
         return fail(why, SW_FORMAT,
                     "no column is one of sling; a header line is expected, such as "
                     "type,v_m,z_m,...");
     return SW_OK;
+}
+
+static enum status take_header(struct lift_table *t, struct why *why)
+{
+    for (int i = 0; i < t->n_file; i++)
+        t->slot[i] = slot_of(t->csv.cell[i]);
+    return judge_columns(t, why);
 }
 
 /* The column that an assignment sets, added at the end if the file has none. */
@@ -173,18 +182,27 @@ static const char *cell(const struct lift_table *t, int i)
     return i < t->csv.n && i < t->n_file ? t->csv.cell[i] : "";
 }
 
+static enum status read_switch(const char *text, double *ret, struct why *why)
+{
+    static const char *const words[] = {"0", "no", "false", "1", "yes", "true"};
+
+    for (int i = 0; i < 6; i++)
+        if (strcmp(text, words[i]) == 0) {
+            *ret = i / 3;
+            return SW_OK;
+        }
+    return fail(why, SW_FORMAT, "'%.60s': expected 1, yes, 0 or no", text);
+}
+
 static enum status read_number(const struct lift_slot *s, const char *text, struct lift_given *ret,
                                struct why *why)
 {
-    static const char *const no[] = {"no", "false"}, *const yes[] = {"yes", "true"};
     double x = NAN;
-    const char *reason = NULL;
+    const char *reason;
 
-    if (s->index / LIFT_ENDS == LIFT_STABILIZED && s->index < LIFT_E1)
-        for (int i = 0; i < 2; i++)
-            x = strcmp(text, no[i]) == 0 ? 0 : strcmp(text, yes[i]) == 0 ? 1 : x;
-    if (isnan(x))
-        reason = number_read(text, &x);
+    if (s->index < LIFT_E1 && s->index / LIFT_ENDS == LIFT_STABILIZED)
+        return read_switch(text, &ret->x[s->index], why);
+    reason = number_read(text, &x);
     if (reason)
         return fail(why, SW_FORMAT, "'%.60s': %s", text, reason);
     x *= lift_unit(s->index);

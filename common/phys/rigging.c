@@ -233,28 +233,29 @@ static enum status judge_ranges(const struct rigging *r, struct rigging_fault *f
         int low_allowed;
         double high;
         const char *text, *unit;
+        double size; /* of the unit */
     } range[] = {
-        {"v", r->v, 0, 0, 1e4, "must lie above 0 and below 10 km", "m"},
-        {"s", r->s, 0, 0, 1e4, "must lie above 0 and below 10 km", "m"},
-        {"z", r->z, -1e4, 0, 1e4, "must lie within 10 km", "m"},
-        {"phi", r->phi, 0, 0, quarter, "must lie above 0 and below 90 degrees", "deg"},
-        {"gamma", r->gamma, -quarter, 0, quarter, "must lie within 90 degrees", "deg"},
-        {"m_spreader", r->m_spreader, 0, 1, 1e9, "must not be negative", "kg"},
-        {"m_load", r->m_load, 0, 0, 1e9, "must be positive", "kg"},
-        {"sling", r->sling, 0, 0, 1e4, "must lie above 0 and below 10 km", "m"},
-        {"base_long", r->base[RIGGING_LONG], 0, 0, 1e4, "must lie above 0 and below 10 km", "m"},
-        {"base_cross", r->base[RIGGING_CROSS], 0, 0, 1e4, "must lie above 0 and below 10 km", "m"},
-        {"strain_wll", r->strain_wll, 0, 1, 1, "must lie from 0 to below 1", ""},
-        {"use", r->use, 0, 1, 1e3, "must not be negative", ""},
-        {"wll", r->wll, 0, 0, 1e12, "must be positive", "N"},
-        {"wll_secondary", r->wll_secondary, 0, 0, 1e12, "must be positive", "N"},
-        {"slings", r->slings, 0, 0, 1e3, "must be positive", ""},
+        {"v", r->v, 0, 0, 1e4, "must lie above 0 and below 10 km", "m", 1},
+        {"s", r->s, 0, 0, 1e4, "must lie above 0 and below 10 km", "m", 1},
+        {"z", r->z, -1e4, 0, 1e4, "must lie within 10 km", "m", 1},
+        {"phi", r->phi, 0, 0, quarter, "must lie above 0 and below 90 degrees", "deg", PI / 180},
+        {"gamma", r->gamma, -quarter, 0, quarter, "must lie within 90 degrees", "deg", PI / 180},
+        {"m_spreader", r->m_spreader, 0, 1, 1e9, "must not be negative", "t", 1000},
+        {"m_load", r->m_load, 0, 0, 1e9, "must be positive", "t", 1000},
+        {"sling", r->sling, 0, 0, 1e4, "must lie above 0 and below 10 km", "m", 1},
+        {"base_long", r->base[RIGGING_LONG], 0, 0, 1e4, "must lie above 0 and below 10 km", "m", 1},
+        {"base_cross", r->base[RIGGING_CROSS], 0, 0, 1e4, "must lie above 0 and below 10 km", "m",
+         1},
+        {"strain_wll", r->strain_wll, 0, 1, 1, "must lie from 0 to below 1", "", 1},
+        {"use", r->use, 0, 1, 1e3, "must not be negative", "", 1},
+        {"wll", r->wll, 0, 0, 1e12, "must be positive", "kN", 1000},
+        {"wll_secondary", r->wll_secondary, 0, 0, 1e12, "must be positive", "kN", 1000},
+        {"slings", r->slings, 0, 0, 1e3, "must be positive", "", 1},
     };
 
     for (unsigned i = 0; i < sizeof range / sizeof *range; i++)
         if (outside(range[i].x, range[i].low, range[i].low_allowed, range[i].high))
-            return refuse(fault, range[i].quantity, range[i].text,
-                          range[i].unit[0] == 'd' ? range[i].x * 180 / PI : range[i].x,
+            return refuse(fault, range[i].quantity, range[i].text, range[i].x / range[i].size,
                           range[i].unit);
     if (isnan(r->z))
         return refuse(fault, "z", "is missing", NAN, "");

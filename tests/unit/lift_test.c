@@ -245,7 +245,7 @@ static void bad_rows(void **state)
     refused(&f,
             "gamma_deg: leaves no base: v tan(phi) + s tan(gamma) must be positive (-2.4827 m)");
     refused(&f, "phi_deg: must lie above 0 and below 90 degrees (90 deg)");
-    refused(&f, "m_spreader_t: must not be negative (-2000 kg)");
+    refused(&f, "m_spreader_t: must not be negative (-2 t)");
     row(&f);
     no_more(&f);
 }
@@ -292,7 +292,7 @@ static void pairs(void **state)
     assert_int_equal(lift.end[1].type, RIGGING_PRIMARY);
     row(&f);
     near_rel(lift.share[0], 1.0 / 3, 1e-15);
-    refused(&f, "e1_m: a pair needs e1_m and e2_m, or m_load_1_t and m_load_2_t: is missing");
+    refused(&f, "e1_m: is missing; a pair needs e1_m and e2_m, or m_load_1_t and m_load_2_t");
     refused(&f, "e1_m: contradicts the masses: m_1 to m_2 must be as e2 to e1");
     refused(&f, "m_load_t: is not the sum of the masses of the ends");
     refused(&f, "e1_m: must be positive");
