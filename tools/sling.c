@@ -34,7 +34,8 @@ static const struct opt options[] = {
     {"print-case", 0, OPT_FLAG, &args.common.print_case, NULL,
      "print the rows with all that follows, and stop", 0, 0},
     {"quiet", 'q', OPT_FLAG, &args.common.quiet, NULL, "no warnings", 0, 0},
-    {"verbose", 'v', OPT_FLAG, &args.common.verbose, NULL, "say what is done", 0, 0},
+    {"verbose", 'v', OPT_FLAG, &args.common.verbose, NULL, "tell how many rows have which verdict",
+     0, 0},
     {NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0},
 };
 
@@ -218,12 +219,13 @@ static void print_refused(const struct lift_table *t, const struct asked *a, con
 }
 
 /* The present row into *o, whose cells were read with s; returns whether it could be used and does
- * not fall short. */
+ * not fall short.  Its verdict is counted. */
 static int run_row(const struct lift_table *t, const struct asked *a, enum status s,
-                   const struct lift_given *g, struct why *why, struct out *o)
+                   const struct lift_given *g, long count[], struct why *why, struct out *o)
 {
     enum verdict verdict = VERDICT_NONE;
     struct lift l;
+    int found;
 
     lift_print_row(t, o);
     if (s == SW_OK) {
@@ -234,9 +236,12 @@ static int run_row(const struct lift_table *t, const struct asked *a, enum statu
     if (s != SW_OK) {
         report(why);
         print_refused(t, a, lift_reason(t, why), o);
+        count[VERDICT_NONE]++;
         return 0;
     }
-    if (!print_row(t, a, g, &l, &verdict, o)) {
+    found = print_row(t, a, g, &l, &verdict, o);
+    count[verdict]++;
+    if (!found) {
         char name[LIFT_NAME];
 
         lift_name(a->design, name);
@@ -291,6 +296,7 @@ static int print_cases(struct lift_table *t, struct out *o)
 /* All rows; returns whether all could be used and none falls short. */
 static int run_table(struct lift_table *t, const struct asked *a, struct out *o)
 {
+    long count[VERDICT_NONE + 1] = {0};
     struct lift_given g;
     struct why why;
     int all = 1, end;
@@ -303,8 +309,10 @@ static int run_table(struct lift_table *t, const struct asked *a, struct out *o)
             must(s, &why);
         if (s == SW_OK && end)
             break;
-        all &= run_row(t, a, s, &g, &why, o);
+        all &= run_row(t, a, s, &g, count, &why, o);
     }
+    note("%ld stable, %ld marginal, %ld unstable, %ld not judged", count[VERDICT_STABLE],
+         count[VERDICT_MARGINAL], count[VERDICT_UNSTABLE], count[VERDICT_NONE]);
     return all;
 }
 

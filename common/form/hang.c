@@ -27,7 +27,7 @@ static enum status judge_unused(const double *x, int end, enum rigging_type type
             char text[100];
 
             snprintf(text, sizeof text, "type %s has no such quantity; is primary-secondary meant?",
-                     lift_type_name(type));
+                     lift_type_name((int)type));
             return refuse(why, LIFT_AT(of_spreaders[k], end), text);
         }
     return SW_OK;

@@ -83,6 +83,8 @@ holds 'c["v_m", 2] == 4 && c["name", 2] == "" && c["h_m", 3] == 2' out \
 runs 0 'set adds a column' sling --set stabilized=yes lifts.csv
 [ "$(head -n 1 out | cut -d, -f13)" = stabilized ] && [ "$(sed -n 2p out | cut -d, -f13)" = yes ]
 ok $? 'behind those of the file'
+runs 0 'verbose' sling -v lifts.csv
+says 'sling: 2 stable, 0 marginal, 1 unstable, 0 not judged' 'tells what there is of each verdict'
 runs 0 'limit' sling --limit 1.1 lifts.csv
 holds 'c["verdict", 1] == "marginal" && c["verdict", 2] == "unstable" && c["verdict", 3] == "stable" &&
     c["why", 1] ~ /1.015 m is below the limit 1.1 m/' out 'limit: marginal below it'

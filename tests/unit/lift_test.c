@@ -416,6 +416,7 @@ static void verdicts(void **state)
     verdict("primary,6,,2,30,,,,,,,,,", 1, 0.5, VERDICT_MARGINAL, "0.5 m within the tolerances");
     verdict("primary,6,,2,30,,,,,,,,,", 1, -INFINITY, VERDICT_MARGINAL, "-inf m within");
     verdict("primary,6,,2,30,,,,,,,,,", 0, 0.5, VERDICT_STABLE, "h_long = 4 m");
+    verdict("primary,6,,2,30,,,,,,,,,", 0, 0, VERDICT_MARGINAL, "but 0 m within the tolerances");
     verdict("primary,6,,2,,,,,,,6,0.5,,", 0, NAN, VERDICT_UNSTABLE, "h_cross = -2 m");
     verdict("primary,6,,2,4,,,,,,,,,", 0, NAN, VERDICT_UNSTABLE, "phi < 5 deg and z > v tan(phi)");
     verdict("primary,6,,2,,,,,,,,,,", 0, NAN, VERDICT_NONE, "phi is missing");

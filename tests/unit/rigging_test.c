@@ -430,6 +430,36 @@ static void secondary_forces(void **state)
     assert_true(compared > 500);
 }
 
+/* Elastic slings: the rigid ones' forces as the strain goes to 0, lengthwise; (26) crosswise. */
+static void elastic_forces(void **state)
+{
+    const double tilt = 1e-4;
+    struct rigging r = tandem(1e-10), rigid = primary(14.5, 8.4, 7.7, NAN);
+    struct suspension a, b;
+    struct righting at, wanted;
+    struct rigging_heights h;
+    double F0 = 9e4 * RIGGING_GRAVITY / 4 / cos(atan(7.7 / 29));
+    (void)state;
+
+    r.m_load = rigid.m_load = 9e4;
+    a = complete(&r);
+    b = complete(&rigid);
+    righting_at(&a, RIGGING_LONG, 6.1, tilt, &at);
+    righting_at(&b, RIGGING_LONG, 6.1, tilt, &wanted);
+    near_rel(wanted.primary_low - F0, F0 * tilt * 29 / 7.7, 1e-3);
+    near_rel(at.primary_low - F0, wanted.primary_low - F0, 1e-3);
+    near_rel(F0 - at.primary_high, F0 - wanted.primary_high, 1e-3);
+    near_rel(at.moment_0, 9e4 * RIGGING_GRAVITY / 4 * 6.1 * 7.7 / 29, 1e-12);
+    r.strain_wll = 0.023;
+    a = complete(&r);
+    rigging_heights(&a, &h);
+    righting_at(&a, RIGGING_CROSS, h.h[1], tilt, &at);
+    near_rel(at.primary_low, F0 * (1 + 2 * (h.h[1] + 8.4) * tilt / 5.9), 1e-12);
+    near_rel(at.primary_high, F0 * (1 - 2 * (h.h[1] + 8.4) * tilt / 5.9), 1e-12);
+    assert_true(isnan(at.moment) && isnan(at.range) && isnan(at.secondary_low));
+    near_rel(at.load, tilt, 1e-6);
+}
+
 /* The printed formula of 1.3.1, and its zero. */
 static void righting_moment(void **state)
 {
@@ -565,5 +595,6 @@ static void refused_elastic(void **state)
 TEST_MAIN(cmocka_unit_test(published), cmocka_unit_test(elastic), cmocka_unit_test(use),
           cmocka_unit_test(rule), cmocka_unit_test(limits), cmocka_unit_test(document_is_unsafe),
           cmocka_unit_test(critical), cmocka_unit_test(against_linkage), cmocka_unit_test(forces),
-          cmocka_unit_test(secondary_forces), cmocka_unit_test(righting_moment),
-          cmocka_unit_test(follows), cmocka_unit_test(refused), cmocka_unit_test(refused_elastic))
+          cmocka_unit_test(secondary_forces), cmocka_unit_test(elastic_forces),
+          cmocka_unit_test(righting_moment), cmocka_unit_test(follows), cmocka_unit_test(refused),
+          cmocka_unit_test(refused_elastic))
