@@ -331,7 +331,7 @@ static void print_contour(struct lift_given *g, double limit, struct out *o)
             g->x[a.number] = axis_value(&a, i) * lift_unit(a.number);
             g->x[b.number] = axis_value(&b, k) * lift_unit(b.number);
             if (lift_make(g, &l, &why) == SW_OK)
-                judge(&l, limit, NAN, &j);
+                judge(&l, limit, doubt_worst(g, &l), &j);
             else
                 judge_not(why.text, &j);
             out_number(o, axis_value(&a, i));
