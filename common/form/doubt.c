@@ -283,6 +283,7 @@ void doubt_sample(const struct lift_given *g, long n, long seed, double limit, s
     struct lift l;
     struct why why;
 
+    sample.loose = 1;
     for (long k = 0; k < n; k++) {
         double h, off;
 

@@ -34,7 +34,7 @@ static enum status judge_unused(const double *x, int end, enum rigging_type type
 }
 
 /* The quantities of one suspension, numbered by enum lift_quantity, as struct rigging. */
-static void to_rigging(const double *x, enum rigging_type type, struct rigging *ret)
+static void to_rigging(const double *x, enum rigging_type type, int loose, struct rigging *ret)
 {
     int spreader = type == RIGGING_SECONDARY;
 
@@ -53,7 +53,8 @@ static void to_rigging(const double *x, enum rigging_type type, struct rigging *
                             .wll = x[LIFT_WLL],
                             .wll_secondary = x[LIFT_WLL_SECONDARY],
                             .slings = x[LIFT_SLINGS],
-                            .stabilized = x[LIFT_STABILIZED]};
+                            .stabilized = x[LIFT_STABILIZED],
+                            .loose = loose};
 }
 
 /* What rigging_complete refuses, by the name of the column. */
@@ -69,7 +70,7 @@ static enum status refuse_fault(const struct rigging_fault *f, int end, struct w
     return fail(why, SW_ADMISSIBLE, "%s: %s%s", name, f->text, number);
 }
 
-static enum status complete(const double *x, int end, enum rigging_type type,
+static enum status complete(const double *x, int end, enum rigging_type type, int loose,
                             struct suspension *ret, struct why *why)
 {
     struct rigging r;
@@ -78,7 +79,7 @@ static enum status complete(const double *x, int end, enum rigging_type type,
 
     if (s != SW_OK)
         return s;
-    to_rigging(x, type, &r);
+    to_rigging(x, type, loose, &r);
     s = rigging_complete(&r, ret, &fault);
     return s == SW_OK ? s : refuse_fault(&fault, end, why);
 }
@@ -95,7 +96,7 @@ static enum status make_one(const struct lift_given *g, struct lift *ret, struct
     ret->ends = 1;
     ret->share[0] = 1;
     ret->share[1] = 0;
-    return complete(x, 0, (enum rigging_type)g->type[0], &ret->end[0], why);
+    return complete(x, 0, (enum rigging_type)g->type[0], g->loose, &ret->end[0], why);
 }
 
 /* Shares of the mass by the lever arms, m1 : m2 = e2 : e1 (33), or by the masses. */
@@ -121,10 +122,10 @@ static enum status find_shares(const struct lift_given *g, double share[2], doub
     if (isnan(share[0]))
         return refuse(why, LIFT_E1,
                       "is missing; a pair needs e1_m and e2_m, or m_load_1_t and m_load_2_t");
-    if (!isnan(e1 + e2) && fabs(share[0] - e2 / (e1 + e2)) > AGREE)
+    if (!g->loose && !isnan(e1 + e2) && fabs(share[0] - e2 / (e1 + e2)) > AGREE)
         return refuse(why, LIFT_E1, "contradicts the masses: m_1 to m_2 must be as e2 to e1");
     share[1] = 1 - share[0];
-    if (!isnan(all + m[0] + m[1]) && !(fabs(m[0] + m[1] - all) <= AGREE * all))
+    if (!g->loose && !isnan(all + m[0] + m[1]) && !(fabs(m[0] + m[1] - all) <= AGREE * all))
         return refuse(why, LIFT_AT(LIFT_LOAD, 0), "is not the sum of the masses of the ends");
     for (int k = 0; k < 2; k++) {
         double of_other = m[1 - k] * share[k] / share[1 - k];
@@ -165,7 +166,7 @@ static enum status make_end(const struct lift_given *g, int end, double m_load, 
         x[LIFT_LONG] = x[LIFT_CROSS];
     if (isnan(x[LIFT_SLINGS]))
         x[LIFT_SLINGS] = type == RIGGING_SINGLE ? 1 : 2;
-    return complete(x, end, (enum rigging_type)type, &ret->end[end - 1], why);
+    return complete(x, end, (enum rigging_type)type, g->loose, &ret->end[end - 1], why);
 }
 
 static enum status make_pair(const struct lift_given *g, struct lift *ret, struct why *why)

@@ -58,7 +58,9 @@ double judge_height(const struct lift *l)
 /* Greatest force over limit. */
 static double use_of(const struct righting *at, double wll, int secondary)
 {
-    return (secondary ? at->secondary_low : at->primary_low) / wll;
+    return (secondary ? fmax(at->secondary_low, at->secondary_high)
+                      : fmax(at->primary_low, at->primary_high)) /
+           wll;
 }
 
 static void judge_one(const struct lift *l, const struct found *f, struct judgement *ret)

@@ -14,6 +14,7 @@ struct lift_given {
     int type[LIFT_ENDS];      /* enum rigging_type, LIFT_PAIR, LIFT_UNKNOWN */
     double x[LIFT_NUMBERS];   /* quantity * LIFT_ENDS + end, then e1, e2, offset; NAN: empty */
     double tol[LIFT_NUMBERS]; /* 0: none */
+    int loose;                /* numbers that are given twice need not agree: for samples */
 };
 
 /* What is hung. */

@@ -262,9 +262,9 @@ static enum status judge_ranges(const struct rigging *r, struct rigging_fault *f
     return SW_OK;
 }
 
-static int agree(double x, double y)
+static int agree(const struct rigging *r, double x, double y)
 {
-    return fabs(x - y) <= AGREE * fabs(y);
+    return r->loose || fabs(x - y) <= AGREE * fabs(y);
 }
 
 /* Square of the horizontal reach of a primary sling to the lifting points. */
@@ -283,6 +283,9 @@ static enum status find_v(const struct rigging *r, double *ret, struct rigging_f
     double v = NAN, reach = r->type == RIGGING_SECONDARY ? NAN : reach2(r);
     double give = isnan(r->strain_wll) ? 1 : 1 + r->strain_wll;
 
+    *ret = r->v;
+    if (!isnan(r->v) && r->loose)
+        return SW_OK;
     if (!isnan(r->sling) && !isnan(reach)) {
         if (!(r->sling * r->sling > reach))
             return refuse(fault, "sling", "is too short to reach the lifting points", r->sling,
@@ -307,7 +310,8 @@ static enum status find_v(const struct rigging *r, double *ret, struct rigging_f
                    ? SW_OK
                    : refuse(fault, "sling", "is longer than v and base say", r->sling, "m");
     }
-    return agree(v, r->v) ? SW_OK : refuse(fault, "sling", "contradicts v and phi", r->sling, "m");
+    return agree(r, v, r->v) ? SW_OK
+                             : refuse(fault, "sling", "contradicts v and phi", r->sling, "m");
 }
 
 /* Angle of a view without a spreader: phi belongs to the view whose base is given, to the
@@ -327,7 +331,7 @@ static enum status find_angles(const struct rigging *r, struct suspension *a,
             a->T[main_view] = INFINITY;
         return SW_OK;
     }
-    if (!isnan(a->T[main_view]) && !agree(tan(r->phi), a->T[main_view]))
+    if (!isnan(a->T[main_view]) && !agree(r, tan(r->phi), a->T[main_view]))
         return refuse(fault, "phi", "contradicts v and base; base over 2 v makes it",
                       atan(a->T[main_view]) * 180 / PI, "deg");
     if (isnan(a->T[main_view]))
@@ -351,7 +355,7 @@ static enum status complete_elastic(const struct rigging *r, struct suspension *
     a->T[RIGGING_LONG] = a->base[RIGGING_LONG] / (2 * a->v);
     cosine = 1 / sqrt(1 + a->T[RIGGING_LONG] * a->T[RIGGING_LONG]);
     a->use = r->m_load * RIGGING_GRAVITY / (a->slings * cosine * r->wll);
-    if (!isnan(r->use) && a->use > (1 + AGREE) * r->use)
+    if (!r->loose && !isnan(r->use) && a->use > (1 + AGREE) * r->use)
         return refuse(fault, "use", "is less than weight and wll make it", a->use, "");
     if (!isnan(r->use) || isnan(a->use))
         a->use = isnan(r->use) ? 1 : r->use;
@@ -395,9 +399,9 @@ static enum status complete_secondary(const struct rigging *r, struct suspension
     if (!(half > 0))
         return refuse(fault, "gamma", "leaves no base: v tan(phi) + s tan(gamma) must be positive",
                       half, "m");
-    if (!isnan(r->base[RIGGING_CROSS]) && agree(2 * half, r->base[RIGGING_CROSS]))
+    if (!isnan(r->base[RIGGING_CROSS]) && agree(r, 2 * half, r->base[RIGGING_CROSS]))
         view = RIGGING_CROSS;
-    if (!isnan(r->base[view]) && isfinite(half) && !agree(2 * half, r->base[view]))
+    if (!isnan(r->base[view]) && isfinite(half) && !agree(r, 2 * half, r->base[view]))
         return refuse(fault, "gamma", "contradicts the base; v, s, phi and gamma make it", 2 * half,
                       "m");
     a->T[RIGGING_LONG] = a->T[RIGGING_CROSS] = NAN;

@@ -42,6 +42,7 @@ struct rigging {
     double wll_secondary;       /* N; NAN: wll */
     double slings;              /* that share the load; NAN: 1 (single), else 4 */
     double stabilized;          /* not 0: the rule of 5 degrees does not hold */
+    int loose;                  /* what is given twice need not agree */
 };
 
 /* A suspension whose geometry is complete. */

@@ -56,8 +56,7 @@ void righting_at(const struct suspension *a, enum rigging_view view, double h, d
                  struct righting *ret)
 {
     double up, up2, T = a->T[view], by = isnan(tilt) ? 0 : tilt, delta = atan(by);
-    double load = rigging_tilt_ratio(a) * by,
-           aside = h * by + a->z * load; /* of the gravity centre */
+    double load = rigging_tilt_ratio(a) * by;
 
     *ret = (struct righting){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     righting_upright(a, &up, &up2);
@@ -71,12 +70,16 @@ void righting_at(const struct suspension *a, enum rigging_view view, double h, d
     } else if (a->type == RIGGING_ELASTIC) {
         double q = isnan(T) ? 0 : T;
 
-        shift(up, q, 2 * aside / a->base[view] + load * q, &ret->primary_low, &ret->primary_high);
+        shift(up, q, 2 * (h + a->z) * by / a->base[view] + by * q, &ret->primary_low,
+              &ret->primary_high);
     } else {
         ret->primary_low = up * (cos(delta) + sin(delta) / T);
         ret->primary_high = up * (cos(delta) - sin(delta) / T);
     }
     if (a->type == RIGGING_SECONDARY)
-        shift(up2, a->t, aside / (a->v * T + a->s * a->t) + load * a->t, &ret->secondary_low,
-              &ret->secondary_high);
+        shift(up2, a->t,
+              by == 0    ? 0
+              : isinf(T) ? NAN
+                         : by * (a->mu / T + a->t),
+              &ret->secondary_low, &ret->secondary_high);
 }

@@ -28,12 +28,13 @@ struct righting {
  * the load where there is none; e is the offset of the centre of gravity.  NAN: forces without a
  * tilt.
  *
- * Primary slings: F = F0 (cos(delta) +- sin(delta)/tan(phi)), from (17), exact for rigid slings, F0
- * = W/(n cos(phi)) with the slope in both views; at delta = phi the upper one is slack.  Elastic
- * and secondary slings: moments about the middle of the base, sides V = (W/2)(1 +- (a q + (e + z
- * a)/B)), a tilt of the load, B half the base, q = tan(phi) or tan(gamma); elastic crosswise (26).
- * Righting moment: M = (W/n) h cos(delta)(tan(phi) - tan^2(delta)/tan(phi)), tan(delta) = e/h,
- * which is the printed formula of 1.3.1: the moment of one sling's force about the centre of
+ * Primary slings: F = F0 (cos(delta) +- sin(delta)/tan(phi)), from (17), exact for rigid slings,
+ * F0 = W/(n cos(phi)) with the slope in both views; at delta = phi the upper one is slack.  The
+ * others by moments about the middle of the base, sides V = (W/2)(1 +- x): elastic slings
+ * x = (e + z a)/B + a tan(phi), a tilt of the load, B half the base, crosswise without the last
+ * term (26); secondary slings x = (mu/tan(phi) + tan(gamma)) tan(delta), the same with the h of
+ * (15). Righting moment: M = (W/n) h cos(delta)(tan(phi) - tan^2(delta)/tan(phi)), tan(delta) =
+ * e/h, which is the printed formula of 1.3.1: the moment of one sling's force about the centre of
  * gravity.
  */
 void righting_at(const struct suspension *a, enum rigging_view view, double h, double tilt,

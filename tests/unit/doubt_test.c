@@ -239,6 +239,29 @@ static void samples(void **state)
     near_abs(d.probability, 35.0 / 120, 5e-3);
 }
 
+/* gamma beside the base that agrees with it: samples of gamma still are arrangements. */
+static void samples_of_what_is_given_twice(void **state)
+{
+    struct lift_given g = blank(RIGGING_SECONDARY);
+    struct doubt once, twice;
+    double half = 3.6 * tan(26 * PI / 180) + 7.5 * tan(-4 * PI / 180);
+    (void)state;
+
+    give(&g, LIFT_AT(LIFT_V, 0), 3.6, 0.2);
+    give(&g, LIFT_AT(LIFT_S, 0), 7.5, 0);
+    give(&g, LIFT_AT(LIFT_Z, 0), 1.1, 0);
+    give(&g, LIFT_AT(LIFT_PHI, 0), 26, 0);
+    give(&g, LIFT_AT(LIFT_GAMMA, 0), -4, 3);
+    give(&g, LIFT_AT(LIFT_SPREADER, 0), 0, 0);
+    doubt_sample(&g, 10000, 1, 0, &once);
+    assert_true(once.probability > 0.1 && once.probability < 0.5);
+    give(&g, LIFT_AT(LIFT_CROSS, 0), 2 * half, 0);
+    give(&g, LIFT_AT(LIFT_SLING, 0), 3.6 / cos(26 * PI / 180), 0);
+    assert_true(!isnan(height(&g)));
+    doubt_sample(&g, 10000, 1, 0, &twice);
+    assert_true(once.probability == twice.probability && once.mean == twice.mean);
+}
+
 static void designs(void **state)
 {
     uint64_t seed = 29;
@@ -300,5 +323,6 @@ static void spans(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(worst_case), cmocka_unit_test(between_corners), cmocka_unit_test(edges),
-          cmocka_unit_test(derivatives), cmocka_unit_test(samples), cmocka_unit_test(designs),
+          cmocka_unit_test(derivatives), cmocka_unit_test(samples),
+          cmocka_unit_test(samples_of_what_is_given_twice), cmocka_unit_test(designs),
           cmocka_unit_test(spans))

@@ -439,6 +439,25 @@ static void verdicts(void **state)
     verdict("primary-secondary,3.6,7.5,0.1,4,1,2,60,,,,,,", 0, NAN, VERDICT_STABLE, "h_cross = ");
 }
 
+/* Far below its lifting points the load pulls the other side of the secondary slings more: the use
+ * is that of the greater force. */
+static void greatest_force(void **state)
+{
+    struct file f;
+    struct judgement j;
+    (void)state;
+
+    begin(&f,
+          "type,v_m,s_m,z_m,phi_deg,gamma_deg,m_spreader_t,m_load_t,wll_kN,offset_m\n"
+          "primary-secondary,1,10,-2,75,-18,0,60,900,2\n",
+          NULL);
+    row(&f);
+    judge(&lift, 0, NAN, &j);
+    near_rel(j.use_secondary * 9e5, fmax(j.at.secondary_low, j.at.secondary_high), 1e-14);
+    assert_true(j.at.secondary_high > j.at.secondary_low);
+    no_more(&f);
+}
+
 static void no_memory(void **state)
 {
     const char *const set[] = {"z_m=1", "v_m=2"};
@@ -470,4 +489,4 @@ static void no_memory(void **state)
 TEST_MAIN(cmocka_unit_test(names), cmocka_unit_test(nearly), cmocka_unit_test(rows),
           cmocka_unit_test(headers), cmocka_unit_test(bad_rows), cmocka_unit_test(pairs),
           cmocka_unit_test(unstable_end), cmocka_unit_test(symmetry), cmocka_unit_test(resolved),
-          cmocka_unit_test(verdicts), cmocka_unit_test(no_memory))
+          cmocka_unit_test(verdicts), cmocka_unit_test(greatest_force), cmocka_unit_test(no_memory))

@@ -11,8 +11,8 @@
 /* Nothing given. */
 static struct rigging blank(enum rigging_type type)
 {
-    return (struct rigging){type, NAN,        NAN, NAN, NAN, NAN, NAN, NAN,
-                            NAN,  {NAN, NAN}, NAN, NAN, NAN, NAN, NAN, NAN};
+    return (struct rigging){type,       NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
+                            {NAN, NAN}, NAN, NAN, NAN, NAN, NAN, NAN, 0};
 }
 
 static struct rigging spreader(double v, double s, double z, double phi, double gamma, double mT,
