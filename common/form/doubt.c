@@ -44,7 +44,7 @@ static struct span complement(struct span x)
     return span_sub(span_of(x.n, 1), x);
 }
 
-/* m_1 over the mass, as find_shares of hang.c has it. */
+/* m_1 over the mass, as find_shares of arrange.c has it. */
 static struct span first_share(const struct row_box *r, const struct box *b)
 {
     struct span one = span_of(r->n, 1), all = span_at(r, b, LIFT_AT(LIFT_LOAD, 0));

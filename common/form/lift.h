@@ -25,7 +25,7 @@ struct lift {
     double offset;   /* m, NAN: not given */
 };
 
-/* The arrangement of a row (hang.c).  The type of an end that is not given is primary-secondary
+/* The arrangement of a row (arrange.c).  The type of an end that is not given is primary-secondary
  * with s, primary with v only, else single.  SW_ADMISSIBLE, with column and reason in why. */
 enum status lift_make(const struct lift_given *g, struct lift *ret, struct why *why);
 
