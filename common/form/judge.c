@@ -245,6 +245,9 @@ static void decide(const struct lift *l, const struct found *f, double limit, do
     else if (j->least < limit)
         say(j, VERDICT_MARGINAL, "%s = %.4g m is below the limit %.4g m: %s", h, j->least, limit,
             by);
+    else if (isinf(worst))
+        say(j, VERDICT_MARGINAL, "%s = %.4g m but the tolerances reach what is no arrangement: %s",
+            h, j->least, by);
     else if (!isnan(worst) && !(worst > 0 && worst >= limit))
         say(j, VERDICT_MARGINAL, "%s = %.4g m but %.4g m within the tolerances; limit %.4g m: %s",
             h, j->least, worst, limit, by);

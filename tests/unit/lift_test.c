@@ -414,7 +414,8 @@ static void verdicts(void **state)
     verdict("primary,6,,2,30,,,,,,,,,", 4.5, NAN, VERDICT_MARGINAL, "4 m is below the limit 4.5 m");
     verdict("primary,6,,2,30,,,,,,,,,", 0, -0.5, VERDICT_MARGINAL, "-0.5 m within the tolerances");
     verdict("primary,6,,2,30,,,,,,,,,", 1, 0.5, VERDICT_MARGINAL, "0.5 m within the tolerances");
-    verdict("primary,6,,2,30,,,,,,,,,", 1, -INFINITY, VERDICT_MARGINAL, "-inf m within");
+    verdict("primary,6,,2,30,,,,,,,,,", 1, -INFINITY, VERDICT_MARGINAL,
+            "the tolerances reach what is no");
     verdict("primary,6,,2,30,,,,,,,,,", 0, 0.5, VERDICT_STABLE, "h_long = 4 m");
     verdict("primary,6,,2,30,,,,,,,,,", 0, 0, VERDICT_MARGINAL, "but 0 m within the tolerances");
     verdict("primary,6,,2,,,,,,,6,0.5,,", 0, NAN, VERDICT_UNSTABLE, "h_cross = -2 m");
