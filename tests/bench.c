@@ -354,33 +354,54 @@ static double floquet_time(int modes)
 
 #define TABLE "seilwerk-bench.csv"
 
-/* Rows a second of catenary --table, reading and printing included: n random cables in a file. */
-static double table_rate(int n)
+static double random_unit(uint64_t *u)
+{
+    *u ^= *u << 13;
+    *u ^= *u >> 7;
+    *u ^= *u << 17;
+    return (double)(*u >> 11) * 0x1p-53;
+}
+
+/* A cable as a row. */
+static void print_cable(FILE *f, uint64_t *u)
+{
+    double x[3];
+
+    for (int j = 0; j < 3; j++)
+        x[j] = random_unit(u);
+    fprintf(f, "%.3f,%.3f,%.4f,%.2f,%.4g\n", 50 + 200 * x[0], 80 * x[1] - 40,
+            hypot(50 + 200 * x[0], 80 * x[1] - 40) * (0.999 + 0.05 * x[2]), 1 + 50 * x[1],
+            1e7 + 1e9 * x[2]);
+}
+
+/* A lift with a spreader as a row. */
+static void print_lift(FILE *f, uint64_t *u)
+{
+    double x[3];
+
+    for (int j = 0; j < 3; j++)
+        x[j] = random_unit(u);
+    fprintf(f, "primary-secondary,%.3f,%.3f,%.3f,%.2f,%.2f,%.2f,%.1f\n", 2 + 6 * x[0], 2 + 8 * x[1],
+            4 * x[2], 30 + 30 * x[0], 10 * x[1] - 5, 10 * x[2], 20 + 200 * x[0]);
+}
+
+/* Rows a second, reading and printing included, of a command on a file of n random rows. */
+static double filter_rate(int n, const char *run, const char *header,
+                          void (*print)(FILE *, uint64_t *))
 {
     const char *dir = getenv("TMPDIR");
-    char path[512], command[600];
+    char path[512], command[700];
     uint64_t u = 88172645463325252ULL;
     double t;
     FILE *f;
 
     snprintf(path, sizeof path, "%s/%d-" TABLE, dir ? dir : "/tmp", (int)getpid());
     f = checked(fopen(path, "w"));
-    fputs("span,drop,unstressed_length,mass_per_length,axial_stiffness\n", f);
-    for (int i = 0; i < n; i++) {
-        double x[3];
-
-        for (int j = 0; j < 3; j++) {
-            u ^= u << 13;
-            u ^= u >> 7;
-            u ^= u << 17;
-            x[j] = (double)(u >> 11) * 0x1p-53;
-        }
-        fprintf(f, "%.3f,%.3f,%.4f,%.2f,%.4g\n", 50 + 200 * x[0], 80 * x[1] - 40,
-                hypot(50 + 200 * x[0], 80 * x[1] - 40) * (0.999 + 0.05 * x[2]), 1 + 50 * x[1],
-                1e7 + 1e9 * x[2]);
-    }
+    fputs(header, f);
+    for (int i = 0; i < n; i++)
+        print(f, &u);
     fclose(f);
-    snprintf(command, sizeof command, "catenary --table -o /dev/null '%s'", path);
+    snprintf(command, sizeof command, "%s -o /dev/null '%s'", run, path);
     t = now();
     if (system(command) != 0)
         expect(SW_NOCONV);
@@ -422,6 +443,19 @@ static double points_time(int threads)
     remove(path[0]);
     remove(path[1]);
     return t;
+}
+
+static double table_rate(int n)
+{
+    return filter_rate(n, "catenary --table",
+                       "span,drop,unstressed_length,mass_per_length,axial_stiffness\n",
+                       print_cable);
+}
+
+static double lift_rate(int n)
+{
+    return filter_rate(n, "sling", "type,v_m,s_m,z_m,phi_deg,gamma_deg,m_spreader_t,m_load_t\n",
+                       print_lift);
 }
 
 /* Nanoseconds of one printed number, random bits. */
@@ -472,6 +506,7 @@ int main(void)
     report("static line: cables solved", 1e6 / median(line_time, 200000), "1/s", 1e6 * scale, 1);
     report("catenary --table: rows read and printed", median(table_rate, 200000), "1/s",
            1e5 * scale, 1);
+    report("sling: rows read and printed", median(lift_rate, 200000), "1/s", 1e5 * scale, 1);
     report("number printed", median(print_time, 1000000), "ns", 150 / scale, 0);
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         snprintf(what, sizeof what, "modal, all modes, n = %d", sizes[i]);

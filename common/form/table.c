@@ -60,11 +60,9 @@ enum status table_row(struct table *t, struct cable_case *ret, struct why *why)
     if (s != SW_OK || !t->csv.cell)
         return s;
     snprintf(place, sizeof place, "%.400s:%d", t->csv.name, t->csv.line);
-    if (t->csv.n != t->n)
-        return csv_fail(why, &t->csv, "%d cells; the header has %d%s", t->csv.n, t->n,
-                        t->csv.n > t->n ? " (a decimal comma, or a text with commas that is not "
-                                          "quoted?)"
-                                        : "");
+    s = csv_width(&t->csv, t->n, why);
+    if (s != SW_OK)
+        return s;
     *ret = t->blank;
     for (int i = 0; i < t->n; i++) {
         struct why cell;

@@ -168,6 +168,15 @@ enum status csv_header(struct csv *c, struct why *why)
     return SW_OK;
 }
 
+enum status csv_width(const struct csv *c, int n, struct why *why)
+{
+    if (c->n == n)
+        return SW_OK;
+    return csv_fail(why, c, "%d cells; the header has %d%s", c->n, n,
+                    c->n > n ? " (a decimal comma, or a text with commas that is not quoted?)"
+                             : "");
+}
+
 enum status csv_number(const struct csv *c, int i, double *ret, struct why *why)
 {
     const char *reason = number_read(c->cell[i], ret);

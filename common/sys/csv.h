@@ -32,6 +32,9 @@ enum status csv_row(struct csv *c, struct why *why);
 /* The header row as csv_row, refused with a hint if it seems to be separated by semicolons. */
 enum status csv_header(struct csv *c, struct why *why);
 
+/* Whether the present row has n cells, as the header.  SW_FORMAT with both counts. */
+enum status csv_width(const struct csv *c, int n, struct why *why);
+
 /* Cell i as a finite number.  SW_FORMAT with file, line and column number. */
 enum status csv_number(const struct csv *c, int i, double *ret, struct why *why);
 

@@ -176,6 +176,85 @@ refuses 2 'table and summary' catenary --table --summary table.csv
 refuses 2 'table: over its input' catenary --table -o table.csv table.csv
 refuses 1 'table: a row without mass' catenary --table table.csv
 
+# Lifts.
+# lift NAME ASSIGNMENT...: of an arrangement that is good without them.
+lift()
+{
+    name=$1
+    shift
+    for assignment; do
+        shift
+        set -- "$@" --set "$assignment"
+    done
+    refuses 2 "lift: $name" sling --set type=primary-secondary --set v_m=3.6 --set s_m=7.5 \
+        --set z_m=1.1 --set phi_deg=26 --set gamma_deg=-4 --set m_spreader_t=2 --set m_load_t=60 "$@"
+}
+runs 0 'lift: the arrangement is good' sling --set type=single --set z_m=1
+lift 'no height' v_m=
+lift 'a negative height' s_m=-1
+lift 'no centre of gravity' z_m=
+lift 'nan' z_m=nan
+lift 'infinity' z_m=inf
+lift 'phi = 0' phi_deg=0
+lift 'phi = 90' phi_deg=90
+lift 'no phi' phi_deg=
+lift 'gamma = 90' gamma_deg=90
+lift 'slings that cross' gamma_deg=-20
+lift 'a negative spreader' m_spreader_t=-2
+lift 'no spreader' m_spreader_t=
+lift 'a negative load' m_load_t=-60
+lift 'no load' m_load_t=0
+lift 'a negative base' base_cross_m=-3
+lift 'another base' base_cross_m=4
+lift 'another sling' sling_m=6
+lift 'an unknown type' type=secondary
+lift 'no type' type=
+lift 'a type without spreader' type=primary
+lift 'an end of no pair' v_1_m=3
+lift 'a wrong word' stabilized=perhaps
+lift 'a negative tolerance' z_m_tol=-0.1
+lift 'an unknown column' colour=red
+lift 'nearly a column' gama_deg=3
+lift 'no value' v_m
+refuses 2 'lift: a sling too short' sling --set type=primary --set z_m=1 --set sling_m=3 \
+    --set base_long_m=6
+refuses 2 'lift: a negative base of a primary sling' sling --set type=primary --set z_m=1 \
+    --set v_m=3 --set base_long_m=-6
+refuses 2 'lift: phi and base that differ' sling --set type=primary --set z_m=1 --set v_m=3 \
+    --set base_long_m=6 --set phi_deg=40
+refuses 2 'lift: elastic without hooks' sling --set type=primary-elastic --set z_m=1 --set v_m=3 \
+    --set base_long_m=6 --set strain_wll=0.02
+refuses 2 'lift: strain of 1' sling --set type=primary-elastic --set z_m=1 --set v_m=3 \
+    --set base_long_m=6 --set base_cross_m=6 --set strain_wll=1
+refuses 2 'lift: use less than the weight makes' sling --set type=primary-elastic --set z_m=1 \
+    --set v_m=3 --set base_long_m=6 --set base_cross_m=6 --set strain_wll=0.02 --set use=0.1 \
+    --set m_load_t=60 --set wll_kN=300
+refuses 2 'lift: a pair without shares' sling --set type=pair --set z_m=1
+refuses 2 'lift: shares that differ' sling --set type=pair --set z_m=1 --set e1_m=1 --set e2_m=2 \
+    --set m_load_1_t=10 --set m_load_2_t=10
+printf 'type,v_m,z_m,phi_deg\nprimary,6,2,30\nprimary,6,,30\n' >lifts.csv
+refuses 2 'lift: missing' sling nothing.csv
+refuses 2 'lift: empty' sling empty.ini
+refuses 2 'lift: a case' sling stay.ini
+refuses 2 'lift: two files' sling lifts.csv lifts.csv
+refuses 2 'lift: over its input' sling -o lifts.csv lifts.csv
+refuses 1 'lift: a row without z' sling lifts.csv
+refuses 2 'lift: a limit that is none' sling --limit high lifts.csv
+refuses 2 'lift: a negative limit' sling --limit -1 lifts.csv
+refuses 2 'lift: an unknown verdict' sling --require safe lifts.csv
+refuses 2 'lift: no verdict as requirement' sling --require not-judged lifts.csv
+refuses 2 'lift: no samples' sling --samples 0 lifts.csv
+refuses 2 'lift: samples without tolerances' sling --samples 10 lifts.csv
+refuses 2 'lift: design of nothing' sling --design v_m lifts.csv
+refuses 2 'lift: design of a word' sling --design type=1 lifts.csv
+refuses 2 'lift: contour of two rows' sling --contour v_m,z_m lifts.csv
+head -n 2 lifts.csv >lift.csv
+refuses 2 'lift: contour of one' sling --contour v_m lift.csv
+refuses 2 'lift: contour of the same' sling --contour v_m,v_m lift.csv
+refuses 2 'lift: contour of no range' sling --contour v_m=1:2,z_m lift.csv
+refuses 2 'lift: contour of a word' sling --contour v_m,type lift.csv
+refuses 2 'lift: contour and design' sling --contour v_m,z_m --design v_m=1 lifts.csv
+
 # Outputs.
 refuses 1 'below a regular file' catenary -o stay.ini/line.csv stay.ini
 refuses 1 'a directory as output' catenary -o . stay.ini

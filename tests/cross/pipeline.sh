@@ -198,6 +198,8 @@ for experiment in ben-ahin seil1-parametric seil1-whirl seil2-ellipse seil2-whir
     ok $? "demo: 17 published frequencies of $experiment in all digits"
     judge_run "$scratch/demo/$experiment" "demo: $experiment"
 done
+[ "$(grep -cE '^(1\.2|sheet).*(=|within)  ' "$scratch/demo/lifts/comparison.txt")" -eq 18 ]
+ok $? 'demo: 18 published numbers of lifts in all digits'
 [ "$(grep -c "^largest |v2| until 20 s .* within .* within " "$scratch/demo.txt")" -eq 1 ]
 ok $? 'demo: largest motion of the stay cable as published, by both laws'
 [ "$(grep -c "^largest |v3| after 140 s .* = .* = " "$scratch/demo.txt")" -eq 1 ]
@@ -215,7 +217,7 @@ awk '/ an independent program: / {
     END { exit bad || n != 12 }' "$scratch/demo.txt"
 ok $? 'demo: whirling ellipses beside those of an independent program'
 grep -o "$scratch/demo/[^ ]*png" "$scratch/demo.txt" >"$scratch/pictures"
-[ "$(wc -l <"$scratch/pictures")" -eq 20 ] && xargs ls <"$scratch/pictures" >/dev/null
+[ "$(wc -l <"$scratch/pictures")" -eq 26 ] && xargs ls <"$scratch/pictures" >/dev/null
 ok $? 'demo: lists its pictures'
 
 finish

@@ -13,6 +13,9 @@ a,100,2,1e6,3,,
 "b, 2",100,2,1e6,,1.1,2
 END
 
+cp "$top/scripts/experiments/lifts/cases.csv" lifts.csv
+printf 'type,v_m,z_m,z_m_tol,phi_deg\nprimary,6,2,0.2,30\n' >lift.csv
+
 # Until the file has content, ten seconds at most.
 wait_for()
 {
@@ -32,6 +35,9 @@ run()
     diffverf) diffverf -d whole -o result/out.csv --set disturbance.mode=1 \
         --set disturbance.amplitude=0.01 stay.ini ;;
     print) catenary --print-case -o result/out.csv stay.ini ;;
+    sling) sling -o result/out.csv --set name=x lifts.csv ;;
+    lift) sling -o result/out.csv --samples 10 --derivatives --design v_m=3 lift.csv ;;
+    contour) sling -o result/out.csv --contour z_m=0:1:3,v_m=3:5:3 lift.csv ;;
     table) catenary --table -o result/out.csv table.csv ;;
     stiffness) catenary --stiffness -o result/out.csv --set cable.unstressed_length= \
         --set cable.fundamental_frequency=1.25 stay.ini ;;
@@ -90,7 +96,7 @@ output()
 }
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
-    for tool in catenary modal diffverf print table stiffness; do
+    for tool in catenary modal diffverf print table stiffness sling lift contour; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done

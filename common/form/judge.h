@@ -1,0 +1,48 @@
+/*
+ * What sling says of an arrangement: heights, what would make them zero, forces, verdict and why.
+ *
+ * The verdict stands on the worst view by the corrected formulas, and in a pair on the lesser of
+ * two joint heights: (36) takes the tilts of both ends as one, while a stiff load makes its ends
+ * tilt alike, and the spreaders with h_k/r_k, r_k tilt of the load over that of the spreader.
+ */
+#ifndef SEILWERK_FORM_JUDGE_H
+#define SEILWERK_FORM_JUDGE_H
+
+#include "form/lift.h"
+#include "phys/righting.h"
+
+enum verdict { VERDICT_STABLE, VERDICT_MARGINAL, VERDICT_UNSTABLE, VERDICT_NONE };
+
+const char *verdict_name(enum verdict v);
+
+/* SI units; NAN: has no meaning for the arrangement. */
+struct judgement {
+    double c, h;    /* as published, corrected where theory says so; h in the worst view */
+    double least;   /* the height that judges */
+    double coupled; /* in a pair, of ends that tilt with a stiff load */
+    double view[RIGGING_VIEWS]; /* h in each */
+    double document[RIGGING_VIEWS], document_least;
+    double z_critical, rise; /* z at which stability ends; how far the centre may rise */
+    double v_critical, gamma_critical;
+    double centre, virtual_centre;     /* above the centre of gravity: of suspension, virtual one */
+    struct righting at;                /* in the worst view; in a pair the worst of both ends */
+    double use_primary, use_secondary; /* greatest force over working load limit */
+    struct judged_end {
+        double c, h, m, centre, virtual_centre, use_primary, use_secondary;
+        struct righting at;
+    } end[2]; /* of a pair */
+    enum verdict verdict;
+    char why[240];
+};
+
+/* The height that judges, alone: for the many arrangements of samples and tables. */
+double judge_height(const struct lift *l);
+
+/* worst: least height within the tolerances, NAN: none are given.  limit: below it the verdict is
+ * marginal. */
+void judge(const struct lift *l, double limit, double worst, struct judgement *ret);
+
+/* A row that cannot be used: no numbers, no verdict, and the reason. */
+void judge_not(const char *reason, struct judgement *ret);
+
+#endif

@@ -1,0 +1,460 @@
+/* sling: is this lift stable?  Metacentric heights of arrangements, one a row. */
+#include "form/axis.h"
+#include "form/doubt.h"
+#include "sys/number.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct {
+    struct opt_common common;
+    const char *limit, *require, *design, *contour;
+    long samples, seed;
+    int derivatives;
+} args = {.seed = 1};
+
+static const struct opt options[] = {
+    OPT_OUT(&args.common),
+    {"limit", 0, OPT_TEXT, &args.limit, "H", "metres of height below which a lift is marginal", 0,
+     0},
+    {"require", 0, OPT_TEXT, &args.require, "VERDICT", "status 1 if a row has a worse verdict", 0,
+     0},
+    {"samples", 0, OPT_INTEGER, &args.samples, "N", "arrangements drawn within the tolerances", 1,
+     1000000000},
+    {"seed", 0, OPT_INTEGER, &args.seed, "S", "of their random numbers, default 1", 0, 2147483647},
+    {"derivatives", 0, OPT_FLAG, &args.derivatives, NULL,
+     "of the height by each input, and which matters most", 0, 0},
+    {"design", 0, OPT_TEXT, &args.design, "COLUMN=H", "value of the column that gives the height H",
+     0, 0},
+    {"contour", 0, OPT_TEXT, &args.contour, "COL,COL",
+     "table of heights over two inputs; COL=FROM:TO:N", 0, 0},
+    {"set", 0, OPT_LIST, &args.common.sets, "COLUMN=VALUE",
+     "set a column of every row, or of the one arrangement", 0, 0},
+    {"print-case", 0, OPT_FLAG, &args.common.print_case, NULL,
+     "print the rows with all that follows, and stop", 0, 0},
+    {"quiet", 'q', OPT_FLAG, &args.common.quiet, NULL, "no warnings", 0, 0},
+    {"verbose", 'v', OPT_FLAG, &args.common.verbose, NULL, "tell how many rows have which verdict",
+     0, 0},
+    {NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0},
+};
+
+static const struct opt_tool tool = {
+    "sling", "[FILE | -]",
+    "Is this lift stable?  Metacentric height of each row of a table of arrangements.", options};
+
+/* What the options ask for. */
+struct asked {
+    double limit;
+    enum verdict require;
+    int design; /* number to find, -1: none */
+    double wanted;
+    int ends, tolerances; /* whether their columns are printed */
+};
+
+#define KILO(x) ((x) / 1000)
+#define DEGREES(x) ((x) * (180 / 3.14159265358979323846))
+
+/* Numbers that follow the five fixed columns. */
+#define RESULTS(X)                                                                                 \
+    X(h_long_m, j->view[RIGGING_LONG])                                                             \
+    X(h_cross_m, j->view[RIGGING_CROSS])                                                           \
+    X(h_document_m, j->document_least)                                                             \
+    X(h_document_long_m, j->document[RIGGING_LONG])                                                \
+    X(h_document_cross_m, j->document[RIGGING_CROSS])                                              \
+    X(rise_critical_m, j->rise)                                                                    \
+    X(v_critical_m, j->v_critical)                                                                 \
+    X(gamma_critical_deg, DEGREES(j->gamma_critical))                                              \
+    X(centre_m, j->centre)                                                                         \
+    X(virtual_m, j->virtual_centre)                                                                \
+    X(tilt_spreader_deg, DEGREES(j->at.spreader))                                                  \
+    X(tilt_load_deg, DEGREES(j->at.load))                                                          \
+    X(force_low_kN, KILO(j->at.primary_low))                                                       \
+    X(force_high_kN, KILO(j->at.primary_high))                                                     \
+    X(use_primary, j->use_primary)                                                                 \
+    X(secondary_low_kN, KILO(j->at.secondary_low))                                                 \
+    X(secondary_high_kN, KILO(j->at.secondary_high))                                               \
+    X(use_secondary, j->use_secondary)                                                             \
+    X(moment_0_kNm, KILO(j->at.moment_0))                                                          \
+    X(moment_kNm, KILO(j->at.moment))                                                              \
+    X(range_deg, DEGREES(j->at.range))
+
+/* Of each end of a pair. */
+#define END_RESULTS(X, k, e)                                                                       \
+    X(c_##k, e.c)                                                                                  \
+    X(h_##k##_m, e.h)                                                                              \
+    X(m_##k##_t, KILO(e.m))                                                                        \
+    X(centre_##k##_m, e.centre)                                                                    \
+    X(virtual_##k##_m, e.virtual_centre)                                                           \
+    X(tilt_spreader_##k##_deg, DEGREES(e.at.spreader))                                             \
+    X(force_low_##k##_kN, KILO(e.at.primary_low))                                                  \
+    X(force_high_##k##_kN, KILO(e.at.primary_high))                                                \
+    X(use_primary_##k, e.use_primary)                                                              \
+    X(secondary_low_##k##_kN, KILO(e.at.secondary_low))                                            \
+    X(secondary_high_##k##_kN, KILO(e.at.secondary_high))                                          \
+    X(use_secondary_##k, e.use_secondary)
+#define PAIR_RESULTS(X)                                                                            \
+    X(h_coupled_m, j->coupled)                                                                     \
+    END_RESULTS(X, 1, j->end[0])                                                                   \
+    END_RESULTS(X, 2, j->end[1])
+
+#define COLUMN(name, value) "," #name
+#define VALUE(name, value) value,
+
+/* A number as a cell of its own, empty for NAN. */
+static void cell(struct out *o, double x)
+{
+    putc(',', o->f);
+    if (!isnan(x))
+        out_number(o, x);
+}
+
+static void cells(struct out *o, const double *x, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        cell(o, x[i]);
+}
+
+static void print_header(const struct lift_table *t, const struct asked *a, struct out *o)
+{
+    char name[LIFT_NAME];
+
+    lift_print_header(t, o);
+    fputs(",c,h_m,z_critical_m,verdict,why" RESULTS(COLUMN), o->f);
+    if (a->ends)
+        fputs(PAIR_RESULTS(COLUMN), o->f);
+    if (a->tolerances)
+        fputs(",h_worst_m", o->f);
+    if (args.samples)
+        fputs(",p_below,h_mean_m,h_deviation_m", o->f);
+    for (int i = 0; i < LIFT_NUMBERS && args.derivatives; i++)
+        if (lift_is_input(i) && lift_has(t, i, 0)) {
+            lift_name(i, name);
+            fprintf(o->f, ",dh_d%s", name);
+        }
+    if (args.derivatives)
+        fputs(",matters_most", o->f);
+    if (a->design >= 0) {
+        lift_name(a->design, name);
+        fprintf(o->f, ",design_%s", name);
+    }
+    putc('\n', o->f);
+}
+
+static void print_judgement(const struct judgement *j, const struct asked *a, struct out *o)
+{
+    const double first[] = {j->c, j->h, j->z_critical}, more[] = {RESULTS(VALUE)};
+
+    cells(o, first, 3);
+    fprintf(o->f, ",%s,", verdict_name(j->verdict));
+    out_cell(o, j->why);
+    cells(o, more, sizeof more / sizeof *more);
+    if (a->ends) {
+        const double ends[] = {PAIR_RESULTS(VALUE)};
+
+        cells(o, ends, sizeof ends / sizeof *ends);
+    }
+}
+
+static void print_derivatives(const struct lift_table *t, const struct lift_given *g,
+                              const struct lift *l, struct out *o)
+{
+    double slopes[LIFT_NUMBERS];
+    char name[LIFT_NAME];
+    int greatest;
+
+    doubt_slopes(g, l, slopes);
+    for (int i = 0; i < LIFT_NUMBERS; i++)
+        if (lift_is_input(i) && lift_has(t, i, 0))
+            cell(o, slopes[i]);
+    greatest = doubt_greatest(g, slopes);
+    if (greatest >= 0)
+        lift_name(greatest, name);
+    fprintf(o->f, ",%s", greatest >= 0 ? name : "");
+}
+
+/* One row that can be used; returns whether what was asked for was found. */
+static int print_row(const struct lift_table *t, const struct asked *a, const struct lift_given *g,
+                     const struct lift *l, enum verdict *ret, struct out *o)
+{
+    double worst = a->tolerances ? doubt_worst(g, l) : NAN, found = NAN;
+    struct judgement j;
+
+    judge(l, a->limit, worst, &j);
+    print_judgement(&j, a, o);
+    if (a->tolerances)
+        cell(o, worst);
+    if (args.samples) {
+        struct doubt d;
+
+        doubt_sample(g, args.samples, args.seed, a->limit, &d);
+        cells(o, (double[]){d.probability, d.mean, d.deviation}, 3);
+    }
+    if (args.derivatives)
+        print_derivatives(t, g, l, o);
+    if (a->design >= 0) {
+        found = doubt_design(g, a->design, a->wanted);
+        cell(o, found / lift_unit(a->design));
+    }
+    putc('\n', o->f);
+    *ret = j.verdict;
+    return a->design < 0 || !isnan(found);
+}
+
+/* A row that cannot be used: the reason stands in why, numbers are empty. */
+static void print_refused(const struct lift_table *t, const struct asked *a, const char *reason,
+                          struct out *o)
+{
+    struct judgement j;
+
+    judge_not(reason, &j);
+    print_judgement(&j, a, o);
+    for (int n = a->tolerances + (args.samples ? 3 : 0) + args.derivatives + (a->design >= 0);
+         n > 0; n--)
+        putc(',', o->f);
+    for (int i = 0; i < LIFT_NUMBERS && args.derivatives; i++)
+        if (lift_is_input(i) && lift_has(t, i, 0))
+            putc(',', o->f);
+    putc('\n', o->f);
+}
+
+/* The present row into *o, whose cells were read with s; returns whether it could be used and does
+ * not fall short.  Its verdict is counted. */
+static int run_row(const struct lift_table *t, const struct asked *a, enum status s,
+                   const struct lift_given *g, long count[], struct why *why, struct out *o)
+{
+    enum verdict verdict = VERDICT_NONE;
+    struct lift l;
+    int found;
+
+    lift_print_row(t, o);
+    if (s == SW_OK) {
+        s = lift_make(g, &l, why);
+        if (s != SW_OK)
+            lift_fail(t, why);
+    }
+    if (s != SW_OK) {
+        report(why);
+        print_refused(t, a, lift_reason(t, why), o);
+        count[VERDICT_NONE]++;
+        return 0;
+    }
+    found = print_row(t, a, g, &l, &verdict, o);
+    count[verdict]++;
+    if (!found) {
+        char name[LIFT_NAME];
+
+        lift_name(a->design, name);
+        fail(why, SW_INFEASIBLE, "--design: no %s near the present one gives %.6g m", name,
+             a->wanted);
+        lift_fail(t, why);
+        report(why);
+        return 0;
+    }
+    return !args.require || verdict <= a->require;
+}
+
+/* The rows resolved; returns whether all could be used. */
+static int print_cases(struct lift_table *t, struct out *o)
+{
+    struct lift_given g;
+    struct lift l;
+    struct why why;
+    int all = 1, end;
+
+    fputs("type,type_1,type_2", o->f);
+    for (int i = 0; i < LIFT_NUMBERS; i++) {
+        char name[LIFT_NAME];
+
+        lift_name(i, name);
+        fprintf(o->f, ",%s", name);
+    }
+    putc('\n', o->f);
+    for (;;) {
+        enum status s = lift_row(t, &g, &end, &why);
+
+        if (s == SW_READ || s == SW_NOMEM)
+            must(s, &why);
+        if (s == SW_OK && end)
+            return all;
+        if (s == SW_OK && (s = lift_make(&g, &l, &why)) != SW_OK)
+            lift_fail(t, &why);
+        if (s != SW_OK) {
+            report(&why);
+            all = 0;
+            continue;
+        }
+        lift_resolve(&l, &g);
+        fprintf(o->f, "%s,%s,%s", lift_type_name(g.type[0]), lift_type_name(g.type[1]),
+                lift_type_name(g.type[2]));
+        for (int i = 0; i < LIFT_NUMBERS; i++)
+            cell(o, g.x[i] / lift_unit(i));
+        putc('\n', o->f);
+    }
+}
+
+/* All rows; returns whether all could be used and none falls short. */
+static int run_table(struct lift_table *t, const struct asked *a, struct out *o)
+{
+    long count[VERDICT_NONE + 1] = {0};
+    struct lift_given g;
+    struct why why;
+    int all = 1, end;
+
+    print_header(t, a, o);
+    while (!out_failed(o)) {
+        enum status s = lift_row(t, &g, &end, &why);
+
+        if (s == SW_READ || s == SW_NOMEM)
+            must(s, &why);
+        if (s == SW_OK && end)
+            break;
+        all &= run_row(t, a, s, &g, count, &why, o);
+    }
+    note("%ld stable, %ld marginal, %ld unstable, %ld not judged", count[VERDICT_STABLE],
+         count[VERDICT_MARGINAL], count[VERDICT_UNSTABLE], count[VERDICT_NONE]);
+    return all;
+}
+
+static void print_contour(struct lift_given *g, double limit, struct out *o)
+{
+    struct axis a, b;
+    struct why why;
+
+    must(axes_read(args.contour, g, &a, &b, &why), &why);
+    fprintf(o->f, "%s,%s,h_m,verdict,why\n", a.name, b.name);
+    for (long i = 0; i < a.n && !out_failed(o); i++)
+        for (long k = 0; k < b.n; k++) {
+            struct judgement j;
+            struct lift l;
+
+            g->x[a.number] = axis_value(&a, i) * lift_unit(a.number);
+            g->x[b.number] = axis_value(&b, k) * lift_unit(b.number);
+            if (lift_make(g, &l, &why) == SW_OK)
+                judge(&l, limit, doubt_worst(g, &l), &j);
+            else
+                judge_not(why.text, &j);
+            out_number(o, axis_value(&a, i));
+            cell(o, axis_value(&b, k));
+            cell(o, j.least);
+            fprintf(o->f, ",%s,", verdict_name(j.verdict));
+            out_cell(o, j.why);
+            putc('\n', o->f);
+        }
+}
+
+/* The first row, which must be the only one. */
+static void the_row(struct lift_table *t, struct lift_given *ret, struct why *why)
+{
+    struct lift_given more;
+    int end;
+
+    must(lift_row(t, ret, &end, why), why);
+    if (end)
+        die(SW_FORMAT, "%s: has no row; one arrangement is expected", t->csv.name);
+    must(lift_row(t, &more, &end, why), why);
+    if (!end)
+        die(SW_USAGE, "%s:%d: a second row; --contour takes one arrangement", t->csv.name,
+            t->csv.line);
+}
+
+static void read_options(struct asked *a)
+{
+    const char *equals = args.design ? strchr(args.design, '=') : NULL;
+    int tolerance;
+
+    *a = (struct asked){.require = VERDICT_NONE, .design = -1};
+    if (args.limit && (number_read(args.limit, &a->limit) || !(a->limit >= 0)))
+        die(SW_USAGE, "--limit %s: expected a height in metres, not negative", args.limit);
+    while (args.require && a->require > VERDICT_STABLE &&
+           strcmp(args.require, verdict_name(a->require)) != 0)
+        a->require--;
+    if (args.require &&
+        (strcmp(args.require, verdict_name(a->require)) != 0 || a->require == VERDICT_NONE))
+        die(SW_USAGE, "--require %s: expected stable, marginal or unstable", args.require);
+    if (equals) {
+        char name[LIFT_NAME + 8];
+
+        snprintf(name, sizeof name, "%.*s", (int)(equals - args.design), args.design);
+        a->design = lift_column(name, &tolerance);
+        if (tolerance || a->design < 0 || !lift_is_input(a->design) ||
+            number_read(equals + 1, &a->wanted))
+            a->design = -1;
+    }
+    if (args.design && a->design < 0)
+        die(SW_USAGE, "--design %s: expected COLUMN=H, a number of the arrangement and a height",
+            args.design);
+    if (args.contour && (args.design || args.samples || args.derivatives || args.require))
+        die(SW_USAGE, "--contour cannot be combined with other questions");
+}
+
+/* Whether the arrangement is that of --set alone: no file is named, and its type is set. */
+static int is_alone(int n_operands)
+{
+    for (int i = 0; i < args.common.sets.n; i++)
+        if (n_operands == 0 && strncmp(args.common.sets.item[i], "type=", 5) == 0)
+            return 1;
+    return 0;
+}
+
+/* The one arrangement of --set is judged before anything is written: it ends the tool if it is
+ * none. */
+static void judge_alone(struct lift_table *t)
+{
+    struct lift_given g;
+    struct lift l;
+    struct why why;
+    int end;
+    enum status s = lift_row(t, &g, &end, &why);
+
+    must(s, &why);
+    s = lift_make(&g, &l, &why);
+    if (s != SW_OK)
+        lift_fail(t, &why);
+    must(s, &why);
+    t->done = 0;
+}
+
+int main(int argc, char **argv)
+{
+    struct lift_table t;
+    struct asked asked;
+    struct out o;
+    struct in in = {NULL, NULL};
+    struct why why;
+    int operand, all = 1, alone;
+
+    out_prepare();
+    err_tool(tool.name);
+    operand = opt_parse(&tool, argc, argv);
+    err_level(args.common.quiet, args.common.verbose);
+    if (operand < argc - 1)
+        opt_usage(&tool);
+    read_options(&asked);
+    alone = is_alone(argc - operand);
+    if (!alone)
+        must(in_open(operand < argc ? argv[operand] : "-", &in, &why), &why);
+    must(lift_begin(alone ? NULL : &in, &args.common.sets, &t, &why), &why);
+    asked.ends = lift_has_ends(&t);
+    for (int i = 0; i < LIFT_NUMBERS; i++)
+        asked.tolerances |= lift_has(&t, i, 1);
+    if (args.samples && !asked.tolerances)
+        die(SW_USAGE, "--samples needs tolerances: columns such as z_m_tol");
+    if (alone)
+        judge_alone(&t);
+    if (args.contour) {
+        struct lift_given g;
+
+        the_row(&t, &g, &why);
+        must(out_open(&o, args.common.out, &why), &why);
+        print_contour(&g, asked.limit, &o);
+    } else {
+        must(out_open(&o, args.common.out, &why), &why);
+        all = args.common.print_case ? print_cases(&t, &o) : run_table(&t, &asked, &o);
+    }
+    lift_end(&t);
+    in_close(&in);
+    opt_list_free(&args.common.sets);
+    must(out_close(&o, &why), &why);
+    return all ? 0 : status_exit(SW_INFEASIBLE);
+}
