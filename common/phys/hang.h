@@ -1,0 +1,45 @@
+/*
+ * How a suspension hangs: equilibrium, forces in the slings, stability of the place.
+ *
+ * Equilibrium is a stationary point of the potential energy under L <= length for rigid slings,
+ * whose forces are the multipliers: no penalty remains in the result.  All work is done free of
+ * dimension (lengths, weight and g of suspension_scale), so that units do not matter.
+ */
+#ifndef SEILWERK_PHYS_HANG_H
+#define SEILWERK_PHYS_HANG_H
+
+#include "phys/suspension.h"
+
+enum hang_way {
+    HANG_NEAR, /* the equilibrium next to the start, stable or not: Newton */
+    HANG_DOWN  /* downhill from the start to a stable one */
+};
+
+struct hang {
+    struct pose pose[SUSPENSION_BODIES];
+    double force[SUSPENSION_SLINGS];  /* [N], 0: slack */
+    double length[SUSPENSION_SLINGS]; /* of the path [m] */
+    int contacts[SUSPENSION_SLINGS];  /* edges that the sling leans on */
+    double energy;     /* against the place as drawn with all slings free of force [J] */
+    double residual;   /* largest unbalanced force, or moment over the length of suspension_scale,
+                          over the weight of all bodies */
+    double moment;     /* that holds the held body, about +y [N m]; 0 if none is held */
+    double least;      /* least eigenvalue of the second derivative, in the room of the rigid slings
+                          and without neutral motions, free of dimension (length, weight): > 0 stable,
+                          < 0 unstable; INFINITY: nothing can move */
+    int neutral;       /* motions that cost nothing whatever the numbers: yaw about one hook, a bar
+                          about its own axis */
+    int indeterminate; /* forces of rigid slings that equilibrium leaves open; those given are what
+                          equally stretchable ones would share, some slack where they would push */
+    int steps;         /* of the iteration */
+};
+
+/*
+ * Equilibrium from start (bodies; NULL: as drawn).  held: a body whose tilt stays that of start
+ * (planar suspensions), or -1.  The residual is below 1e-10.
+ * SW_NOCONV; SW_ADMISSIBLE: not a suspension (suspension_check), or held in space.
+ */
+enum status hang(const struct suspension *s, enum hang_way way, const struct pose *start, int held,
+                 struct hang *ret);
+
+#endif

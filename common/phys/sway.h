@@ -1,0 +1,51 @@
+/*
+ * Small motions about an equilibrium: omega^2, their shapes in words, metacentric heights.
+ */
+#ifndef SEILWERK_PHYS_SWAY_H
+#define SEILWERK_PHYS_SWAY_H
+
+#include "phys/hang.h"
+
+enum sway_kind {
+    SWING_LENGTHWISE,
+    SWING_CROSSWISE,
+    HEAVE,
+    TILT_CROSSWISE,  /* turn about x */
+    TILT_LENGTHWISE, /* turn about y */
+    YAW,
+    SWAY_KINDS
+};
+
+/* Modes in the order of omega^2, which is negative where the equilibrium is unstable. */
+struct sway {
+    int n;                                               /* modes */
+    int neutral;                                         /* left out: they cost nothing, hang.h */
+    double omega2[SUSPENSION_FREE];                      /* [1/s2] */
+    double shape[SUSPENSION_FREE][SUSPENSION_BODIES][6]; /* shifts of the centres of gravity and
+                       turns, sum of (mass, inertia) shape^2 = 1 [kg^(-1/2), 1/(m kg^(1/2))] */
+    int body[SUSPENSION_FREE];                           /* that has most of the kinetic energy */
+    enum sway_kind kind[SUSPENSION_FREE];      /* the largest part of that body's kinetic energy */
+    double share[SUSPENSION_FREE][SWAY_KINDS]; /* parts of the mode's whole kinetic energy, moved as
+                       x, y, z of the centres, and turned about x, y, z; all bodies */
+};
+
+/*
+ * All small motions about h, an equilibrium of s (no body held).  A mass or moment of inertia below
+ * 1e-6 of the largest one (times length^2) counts as that: signs do not depend on it.
+ * SW_NOCONV.
+ */
+enum status sway_of(const struct suspension *s, const struct hang *h, struct sway *ret);
+
+/* "tilt lengthwise", "swing crosswise", "heave", "yaw", ... */
+const char *sway_words(enum sway_kind kind);
+
+/*
+ * Metacentric height [m]: horizontal offset of the centre of gravity of body load over the tilt of
+ * body tilted that it brings about, to first order; lengthwise (offset along x) or crosswise (y).
+ * Negative or zero: not stable.  INFINITY where nothing tilts.  Exact: the formulas for h are this
+ * with the spreader as tilted (primary-secondary) or the load (elastic primary).
+ */
+double sway_height(const struct suspension *s, const struct sway *m, int load, int tilted,
+                   int crosswise);
+
+#endif
