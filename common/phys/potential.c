@@ -15,7 +15,7 @@ void potential_laws(const struct suspension *s, const double *force, struct slin
 
 static double force_of(const struct sling_law *law, double stretch)
 {
-    return fmax(0, law->before + law->stiffness * stretch);
+    return law->stiffness > 0 ? fmax(0, law->before + law->stiffness * stretch) : law->before;
 }
 
 static double energy_of(const struct sling_law *law, double stretch)
@@ -63,7 +63,7 @@ static void add_sling(const struct suspension *s, const struct pose *pose, const
     ret->contacts[k] = p.n - 2;
     ret->force[k] = T;
     ret->energy += energy_of(law, stretch);
-    if (!(T > 0))
+    if (T == 0)
         return;
     for (int i = 0; i < f->n; i++)
         ret->gradient[i] += T * J[i];

@@ -3,9 +3,9 @@
  *
  * E = sum m g z + sum of the slings' energies; forces are -dE/dx.  The law of every sling is
  * T = max(0, before + stiffness (L - length)), its energy T^2/(2 stiffness): an elastic one has
- * before = 0 and stiffness EA/length.  The law of a rigid one is the caller's: a force alone
- * (stiffness 0, energy before (L - length)) makes E the Lagrangian function, force and stiffness
- * the augmented one.
+ * before = 0 and stiffness EA/length.  The law of a rigid one is the caller's: force and stiffness
+ * make E the augmented Lagrangian function; a force of either sign without stiffness, of energy
+ * before (L - length), makes it the Lagrangian function.
  */
 #ifndef SEILWERK_PHYS_POTENTIAL_H
 #define SEILWERK_PHYS_POTENTIAL_H

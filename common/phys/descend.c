@@ -1,0 +1,172 @@
+/* Trust-region Newton on the potential energy. */
+#include "phys/descend.h"
+
+#include "num/jacobi.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { STEPS = 1000 };
+
+static const double widest = 0.5;    /* step: lengths of the suspension, radians */
+static const double regular = 1e-10; /* neutral motions have no curvature of their own */
+
+static double norm(int n, const double *x)
+{
+    double sum = 0;
+
+    for (int i = 0; i < n; i++)
+        sum += x[i] * x[i];
+    return sqrt(sum);
+}
+
+static double largest(int n, const double *x)
+{
+    double most = 0;
+
+    for (int i = 0; i < n; i++)
+        if (!(fabs(x[i]) <= most))
+            most = fabs(x[i]);
+    return most;
+}
+
+/* q = -(H + regular I)^{-1} g if that matrix is positive definite and q within the radius. */
+static int newton_step(const struct potential *p, double radius, double *q)
+{
+    double A[SUSPENSION_FREE * SUSPENSION_FREE];
+    int n = p->n;
+
+    memcpy(A, p->H, (size_t)(n * n) * sizeof *A);
+    for (int i = 0; i < n; i++) {
+        A[i + i * n] += regular;
+        q[i] = -p->gradient[i];
+    }
+    if (cholesky_factor(n, A, 0) != SW_OK)
+        return 0;
+    cholesky_forward(n, A, q);
+    cholesky_backward(n, A, q);
+    return norm(n, q) <= radius;
+}
+
+/* Length of y = -(Lambda + mu)^{-1} b. */
+static double shifted(int n, const double *lambda, const double *b, double mu, double *y)
+{
+    for (int i = 0; i < n; i++)
+        y[i] = b[i] == 0 ? 0 : -b[i] / (lambda[i] + mu);
+    return norm(n, y);
+}
+
+/*
+ * The least of the quadratic model within the radius: (H + mu I) q = -g, |q| = radius, mu above
+ * -lambda_1, found by bisection; where no mu reaches the radius (the gradient has no part along the
+ * lowest vector) that vector fills it up.
+ */
+static enum status bounded_step(const struct potential *p, double radius, double *q)
+{
+    double A[SUSPENSION_FREE * SUSPENSION_FREE], X[SUSPENSION_FREE * SUSPENSION_FREE];
+    double lambda[SUSPENSION_FREE], b[SUSPENSION_FREE], y[SUSPENSION_FREE], low, high, length;
+    int n = p->n;
+    enum status s;
+
+    memcpy(A, p->H, (size_t)(n * n) * sizeof *A);
+    s = jacobi_symmetric(n, A, lambda, X);
+    if (s != SW_OK)
+        return s;
+    for (int i = 0; i < n; i++) {
+        b[i] = 0;
+        for (int j = 0; j < n; j++)
+            b[i] += X[j + i * n] * p->gradient[j];
+    }
+    low = fmax(0, -lambda[0]) + regular;
+    high = low + norm(n, b) / radius + 1;
+    length = shifted(n, lambda, b, low, y);
+    if (length < radius && lambda[0] < 0)
+        y[0] += copysign(sqrt(radius * radius - length * length), -b[0]);
+    for (int i = 0; i < 60 && length > radius; i++) {
+        double mid = (low + high) / 2, l = shifted(n, lambda, b, mid, y);
+
+        *(l > radius ? &low : &high) = mid;
+        if (fabs(l - radius) <= 0.1 * radius)
+            break;
+    }
+    for (int i = 0; i < n; i++) {
+        q[i] = 0;
+        for (int j = 0; j < n; j++)
+            q[i] += X[i + j * n] * y[j];
+    }
+    return SW_OK;
+}
+
+/* Energy that the quadratic model gains with q. */
+static double promised(const struct potential *p, const double *q)
+{
+    double sum = 0;
+
+    for (int i = 0; i < p->n; i++) {
+        double Hq = 0;
+
+        for (int j = 0; j < p->n; j++)
+            Hq += p->H[i + j * p->n] * q[j];
+        sum -= (p->gradient[i] + Hq / 2) * q[i];
+    }
+    return sum;
+}
+
+/* One step; the radius follows how well the model foretold the energy. */
+static enum status step(const struct suspension *s, const struct freedom *f,
+                        const struct sling_law *law, const struct potential *p, struct pose *pose,
+                        double *radius)
+{
+    struct pose next[SUSPENSION_BODIES];
+    double q[SUSPENSION_FREE], ratio, gain, length;
+
+    memcpy(next, pose, (size_t)s->bodies * sizeof *next);
+    if (!newton_step(p, *radius, q)) {
+        enum status status = bounded_step(p, *radius, q);
+
+        if (status != SW_OK)
+            return status;
+    }
+    pose_move(f, q, next);
+    length = norm(f->n, q);
+    gain = promised(p, q);
+    /* round-off of the energy is not to spoil the last steps */
+    ratio = (p->energy - potential_energy(s, next, law) + 1e-15) / (gain + 1e-15);
+    if (!(ratio > 0.1))
+        *radius = length / 4;
+    else if (ratio > 0.7 && length > *radius / 2)
+        *radius = fmin(widest, 2 * *radius);
+    if (ratio > 0.01)
+        memcpy(pose, next, (size_t)s->bodies * sizeof *pose);
+    return *radius > 1e-14 ? SW_OK : SW_NOCONV;
+}
+
+static int convex(const struct potential *p)
+{
+    double A[SUSPENSION_FREE * SUSPENSION_FREE];
+
+    memcpy(A, p->H, (size_t)(p->n * p->n) * sizeof *A);
+    for (int i = 0; i < p->n; i++)
+        A[i + i * p->n] += 100 * regular;
+    return cholesky_factor(p->n, A, 0) == SW_OK;
+}
+
+enum status descend(const struct suspension *s, const struct freedom *f,
+                    const struct sling_law *law, double tolerance, struct pose *pose, int *steps)
+{
+    double radius = widest / 2;
+
+    for (int i = 0; i < STEPS; i++) {
+        struct potential p;
+        enum status status;
+
+        potential_at(s, pose, f, law, &p);
+        if (largest(f->n, p.gradient) <= tolerance && convex(&p))
+            return SW_OK;
+        status = step(s, f, law, &p, pose, &radius);
+        if (status != SW_OK)
+            return status;
+        ++*steps;
+    }
+    return SW_NOCONV;
+}
