@@ -8,7 +8,8 @@
 
 enum { STEPS = 1000 };
 
-static const double widest = 0.5;    /* step: lengths of the suspension, radians */
+static const double widest = 0.2; /* step: lengths of the suspension, radians */
+static const double least_radius = 1e-6;
 static const double regular = 1e-10; /* neutral motions have no curvature of their own */
 
 static double norm(int n, const double *x)
@@ -154,14 +155,16 @@ static int convex(const struct potential *p)
 enum status descend(const struct suspension *s, const struct freedom *f,
                     const struct sling_law *law, double tolerance, struct pose *pose, int *steps)
 {
-    double radius = widest / 2;
+    double radius = widest / 4;
 
     for (int i = 0; i < STEPS; i++) {
         struct potential p;
         enum status status;
 
         potential_at(s, pose, f, law, &p);
-        if (largest(f->n, p.gradient) <= tolerance && convex(&p))
+        /* a minimum; or no step that the second derivative promises leads down: one held by edges
+         * that are just touched */
+        if (largest(f->n, p.gradient) <= tolerance && (radius < least_radius || convex(&p)))
             return SW_OK;
         status = step(s, f, law, &p, pose, &radius);
         if (status != SW_OK)

@@ -22,7 +22,7 @@ struct work {
     struct pose pose[SUSPENSION_BODIES];
     double force[SUSPENSION_SLINGS]; /* of rigid slings */
     int active[SUSPENSION_SLINGS];   /* rigid slings whose length is held */
-    int steps;
+    int steps, by_contact;
 };
 
 static int rigid(const struct suspension *s, int k)
@@ -241,6 +241,32 @@ static double distance(const struct suspension *s, const struct pose *a, const s
     return most;
 }
 
+/* From a little beyond on either side the way down leads back: v (n), the motion that is unstable
+ * while no edge that is just touched is counted. */
+static int held_by_contact(const struct work *w, const double *v)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        struct work aside = *w;
+        double q[SUSPENSION_FREE], off;
+
+        for (int i = 0; i < w->f.n; i++)
+            q[i] = side * 1e-3 * v[i];
+        pose_move(&w->f, q, aside.pose);
+        if (descend_once(&aside, 1e4, &off) != SW_OK ||
+            !(distance(w->s, w->pose, aside.pose) < 2e-4))
+            return 0;
+    }
+    return 1;
+}
+
+static int leans(const struct suspension *s)
+{
+    for (int k = 0; k < s->slings; k++)
+        if (s->sling[k].corners > 0)
+            return 1;
+    return 0;
+}
+
 /* Exact equilibrium near the place that descend_once found: SW_OK only if it is a stable one;
  * otherwise w goes a little along what is unstable. */
 static enum status finish(struct work *w, struct potential *p)
@@ -254,19 +280,39 @@ static enum status finish(struct work *w, struct potential *p)
     room_of(w->s, exact.pose, &w->f, p, exact.force, pull, NULL, &room);
     least = least_in(&room, p, v);
     if (!(least > unstable)) {
-        for (int i = 0; i < w->f.n; i++)
-            v[i] *= 1e-2;
-        pose_move(&w->f, v, w->pose);
-        return SW_NOCONV;
+        if (leans(w->s) && held_by_contact(&exact, v)) {
+            exact.by_contact = 1;
+        } else {
+            for (int i = 0; i < w->f.n; i++)
+                v[i] *= 1e-2;
+            pose_move(&w->f, v, w->pose);
+            return SW_NOCONV;
+        }
     }
     *w = exact;
     return SW_OK;
 }
 
+/* First forces, if none are known: those that balance best at the start, so far as they pull.  With
+ * them stiff slings follow the rigid ones from the first step on, and no ridge is crossed. */
+static void guess_forces(struct work *w)
+{
+    double c[SUSPENSION_SLINGS];
+    struct nullspace f;
+    struct potential p;
+
+    evaluate(w, &p);
+    for (int k = 0; k < w->s->slings; k++)
+        w->active[k] = rigid(w->s, k) && p.length[k] >= w->s->sling[k].length * (1 - 1e-6);
+    find_forces(w, &p, c, &f);
+}
+
 static enum status settle(struct work *w, struct potential *p)
 {
-    double stiffness = 30, off;
+    double stiffness = 300, off;
 
+    for (int k = 0; k < w->s->slings; k++)
+        w->force[k] = fmin(fmax(w->force[k], 0), 10);
     for (int i = 0; i < ROUNDS; i++) {
         enum status s = descend_once(w, stiffness, &off);
 
@@ -277,15 +323,6 @@ static enum status settle(struct work *w, struct potential *p)
         stiffness = fmin(1e5, 2 * stiffness);
     }
     return SW_NOCONV;
-}
-
-/* Next to the start: slings as long as they may be are held. */
-static enum status nearby(struct work *w, struct potential *p)
-{
-    evaluate(w, p);
-    for (int k = 0; k < w->s->slings; k++)
-        w->active[k] = rigid(w->s, k) && p->length[k] >= w->s->sling[k].length * (1 - 1e-6);
-    return solve(w, p);
 }
 
 /* Residual and moment with the forces as given out, all bodies free. */
@@ -321,6 +358,7 @@ static void give_out(const struct suspension *s, const struct work *w, struct po
     ret->neutral = room.neutral;
     ret->indeterminate = room.redundant;
     ret->steps = w->steps;
+    ret->by_contact = w->by_contact;
     check_balance(w, held, ret);
     ret->moment *= weight * length;
     for (int b = 0; b < s->bodies; b++) {
@@ -337,32 +375,72 @@ static void give_out(const struct suspension *s, const struct work *w, struct po
     }
 }
 
+/* From the place and forces in w, which are those of s free of dimension. */
+static enum status run(const struct suspension *s, enum hang_way way, struct work *w, int held,
+                       struct hang *ret)
+{
+    struct potential p;
+    enum status status = way == HANG_DOWN ? settle(w, &p) : solve(w, &p);
+
+    if (status != SW_OK)
+        return status;
+    for (int k = 0; k < s->slings; k++)
+        w->force[k] = w->force[k] > pull ? w->force[k] : 0;
+    evaluate(w, &p);
+    give_out(s, w, &p, held, ret);
+    return ret->residual <= 1e-10 ? SW_OK : SW_NOCONV;
+}
+
+/* w at the pose (bodies; NULL: as drawn) of s. */
+static enum status begin(const struct suspension *s, const struct pose *pose, int held,
+                         struct suspension *unit, struct work *w)
+{
+    double length, weight;
+
+    if (suspension_check(s) != SW_OK || (held >= 0 && !s->planar))
+        return SW_ADMISSIBLE;
+    suspension_scale(s, &length, &weight);
+    suspension_unit(s, unit);
+    *w = (struct work){.s = unit};
+    suspension_freedom(unit, held, &w->f);
+    suspension_drawn(unit, w->pose);
+    for (int b = 0; b < s->bodies && pose; b++) {
+        w->pose[b] = pose[b];
+        for (int i = 0; i < 3; i++)
+            w->pose[b].r[i] /= length;
+    }
+    return SW_OK;
+}
+
 enum status hang(const struct suspension *s, enum hang_way way, const struct pose *start, int held,
                  struct hang *ret)
 {
     struct suspension unit;
-    struct potential p;
-    struct work w = {.s = &unit};
-    double length, weight;
-    enum status status = suspension_check(s);
+    struct work w;
+    enum status status = begin(s, start, held, &unit, &w);
 
-    if (status != SW_OK || (held >= 0 && !s->planar))
-        return SW_ADMISSIBLE;
-    suspension_scale(s, &length, &weight);
-    suspension_unit(s, &unit);
-    suspension_freedom(&unit, held, &w.f);
-    suspension_drawn(&unit, w.pose);
-    for (int b = 0; b < s->bodies && start; b++) {
-        w.pose[b] = start[b];
-        for (int i = 0; i < 3; i++)
-            w.pose[b].r[i] /= length;
-    }
-    status = way == HANG_DOWN ? settle(&w, &p) : nearby(&w, &p);
     if (status != SW_OK)
         return status;
-    for (int k = 0; k < s->slings; k++)
-        w.force[k] = w.force[k] > pull ? w.force[k] : 0;
-    evaluate(&w, &p);
-    give_out(s, &w, &p, held, ret);
-    return ret->residual <= 1e-10 ? SW_OK : SW_NOCONV;
+    guess_forces(&w);
+    return run(s, way, &w, held, ret);
+}
+
+enum status hang_on(const struct suspension *s, enum hang_way way, const struct hang *before,
+                    int held, double angle, struct hang *ret)
+{
+    struct suspension unit;
+    struct work w;
+    double length, weight;
+    enum status status = begin(s, before->pose, held, &unit, &w);
+
+    if (status != SW_OK)
+        return status;
+    suspension_scale(s, &length, &weight);
+    for (int k = 0; k < s->slings; k++) {
+        w.force[k] = rigid(s, k) ? before->force[k] / weight : 0;
+        w.active[k] = w.force[k] > 0;
+    }
+    if (held >= 0)
+        pose_tilt(w.pose + held, angle);
+    return run(s, way, &w, held, ret);
 }

@@ -29,9 +29,11 @@ struct hang {
                           < 0 unstable; INFINITY: nothing can move */
     int neutral;       /* motions that cost nothing whatever the numbers: yaw about one hook, a bar
                           about its own axis */
-    int indeterminate; /* forces of rigid slings that equilibrium leaves open; those given are what
-                          equally stretchable ones would share, some slack where they would push */
-    int steps;         /* of the iteration */
+    int indeterminate; /* forces of rigid slings that equilibrium leaves open; those given have the
+                          least sum of squares, some slack where they would push */
+    int by_contact; /* least < 0, and yet it comes back from both sides: edges that are just touched
+                       hold it (HANG_DOWN only) */
+    int steps;      /* of the iteration */
 };
 
 /*
@@ -41,5 +43,10 @@ struct hang {
  */
 enum status hang(const struct suspension *s, enum hang_way way, const struct pose *start, int held,
                  struct hang *ret);
+
+/* The same from the equilibrium before, with the held body (or -1) turned by angle about y first;
+ * the forces before are the first guess of those now. */
+enum status hang_on(const struct suspension *s, enum hang_way way, const struct hang *before,
+                    int held, double angle, struct hang *ret);
 
 #endif
