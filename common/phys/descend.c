@@ -10,7 +10,7 @@ enum { STEPS = 1000 };
 
 static const double widest = 0.2; /* step: lengths of the suspension, radians */
 static const double least_radius = 1e-6;
-static const double regular = 1e-10; /* neutral motions have no curvature of their own */
+static const double regular = 1e-10; /* neutral motions have no curvature of their own ... */
 
 static double norm(int n, const double *x)
 {
@@ -31,19 +31,34 @@ static double largest(int n, const double *x)
     return most;
 }
 
-/* q = -(H + regular I)^{-1} g if that matrix is positive definite and q within the radius. */
+/* ... but what the gradient lends them away from equilibrium, of either sign: less negative than
+ * this is not told from neutral. */
+static double doubtful(const struct potential *p)
+{
+    return regular + fmin(largest(p->n, p->gradient), 1e-6);
+}
+
+/* H + doubtful I = L L^T. */
+static enum status factor(const struct potential *p, double *L)
+{
+    double shift = doubtful(p);
+
+    memcpy(L, p->H, (size_t)(p->n * p->n) * sizeof *L);
+    for (int i = 0; i < p->n; i++)
+        L[i + i * p->n] += shift;
+    return cholesky_factor(p->n, L, 0);
+}
+
+/* q = -(H + doubtful I)^{-1} g if that matrix is positive definite and q within the radius. */
 static int newton_step(const struct potential *p, double radius, double *q)
 {
     double A[SUSPENSION_FREE * SUSPENSION_FREE];
     int n = p->n;
 
-    memcpy(A, p->H, (size_t)(n * n) * sizeof *A);
-    for (int i = 0; i < n; i++) {
-        A[i + i * n] += regular;
-        q[i] = -p->gradient[i];
-    }
-    if (cholesky_factor(n, A, 0) != SW_OK)
+    if (factor(p, A) != SW_OK)
         return 0;
+    for (int i = 0; i < n; i++)
+        q[i] = -p->gradient[i];
     cholesky_forward(n, A, q);
     cholesky_backward(n, A, q);
     return norm(n, q) <= radius;
@@ -81,7 +96,7 @@ static enum status bounded_step(const struct potential *p, double radius, double
     low = fmax(0, -lambda[0]) + regular;
     high = low + norm(n, b) / radius + 1;
     length = shifted(n, lambda, b, low, y);
-    if (length < radius && lambda[0] < 0)
+    if (length < radius && lambda[0] < -doubtful(p))
         y[0] += copysign(sqrt(radius * radius - length * length), -b[0]);
     for (int i = 0; i < 60 && length > radius; i++) {
         double mid = (low + high) / 2, l = shifted(n, lambda, b, mid, y);
@@ -144,12 +159,9 @@ static enum status step(const struct suspension *s, const struct freedom *f,
 
 static int convex(const struct potential *p)
 {
-    double A[SUSPENSION_FREE * SUSPENSION_FREE];
+    double L[SUSPENSION_FREE * SUSPENSION_FREE];
 
-    memcpy(A, p->H, (size_t)(p->n * p->n) * sizeof *A);
-    for (int i = 0; i < p->n; i++)
-        A[i + i * p->n] += 100 * regular;
-    return cholesky_factor(p->n, A, 0) == SW_OK;
+    return factor(p, L) == SW_OK;
 }
 
 enum status descend(const struct suspension *s, const struct freedom *f,
