@@ -9,6 +9,7 @@
 
 #include "phys/hang.h"
 #include "phys/linkage.h"
+#include "phys/path.h"
 #include "phys/tandem.h"
 
 #include <string.h>
@@ -109,8 +110,25 @@ static inline void pull_at(double sum[][6], int body, const double x[3], const d
     }
 }
 
+/* Where sling k goes off a and b, and in which direction: between its ends, or between the edge
+ * that it touches first and its end at from. */
+static inline void free_part(const struct suspension *s, const struct hang *h, int k, double a[3],
+                             double b[3])
+{
+    struct path p;
+
+    place(s, h, s->sling[k].from, a);
+    place(s, h, s->sling[k].to, b);
+    if (h->contacts[k] == 0)
+        return;
+    path_lay(s, h->pose, k, &p);
+    assert_int_equal(p.n, h->contacts[k] + 2);
+    assert_int_equal(p.body[1], s->point[s->sling[k].to].body);
+    memcpy(b, p.x[1], sizeof p.x[1]);
+}
+
 /* Largest sum of forces, or of moments over the size of everything, on any body, over the weight of
- * all; slings are straight. */
+ * all; slings lean on edges of the body at their end to only. */
 static inline double unbalanced(const struct suspension *s, const struct hang *h)
 {
     double sum[SUSPENSION_BODIES][6] = {{0}}, weight, length, most = 0;
@@ -122,8 +140,7 @@ static inline double unbalanced(const struct suspension *s, const struct hang *h
         double a[3], b[3], F[3], minus[3], l;
         const struct tie *t = s->sling + k;
 
-        place(s, h, t->from, a);
-        place(s, h, t->to, b);
+        free_part(s, h, k, a, b);
         l = sqrt(pow(b[0] - a[0], 2) + pow(b[1] - a[1], 2) + pow(b[2] - a[2], 2));
         for (int i = 0; i < 3; i++) {
             F[i] = h->force[k] * (b[i] - a[i]) / l;
@@ -132,6 +149,7 @@ static inline double unbalanced(const struct suspension *s, const struct hang *h
         pull_at(sum, s->point[t->from].body, a, F);
         pull_at(sum, s->point[t->to].body, b, minus);
         assert_true(h->force[k] >= 0);
+        l = h->contacts[k] > 0 ? h->length[k] : l;
         if (isinf(t->EA))
             below(l / t->length, 1 + 1e-12);
         else
