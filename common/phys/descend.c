@@ -134,7 +134,7 @@ static enum status step(const struct suspension *s, const struct freedom *f,
                         double *radius)
 {
     struct pose next[SUSPENSION_BODIES];
-    double q[SUSPENSION_FREE], ratio, gain, length;
+    double q[SUSPENSION_FREE], ratio, gain, length, noise = 1e-15 * (1 + fabs(p->energy));
 
     memcpy(next, pose, (size_t)s->bodies * sizeof *next);
     if (!newton_step(p, *radius, q)) {
@@ -147,7 +147,7 @@ static enum status step(const struct suspension *s, const struct freedom *f,
     length = norm(f->n, q);
     gain = promised(p, q);
     /* round-off of the energy is not to spoil the last steps */
-    ratio = (p->energy - potential_energy(s, next, law) + 1e-15) / (gain + 1e-15);
+    ratio = (p->energy - potential_energy(s, next, law) + noise) / (gain + noise);
     if (!(ratio > 0.1))
         *radius = length / 4;
     else if (ratio > 0.7 && length > *radius / 2)

@@ -6,6 +6,7 @@
 #include "phys/descend.h"
 #include "phys/room.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -20,6 +21,7 @@ struct work {
     const struct suspension *s; /* free of dimension */
     struct freedom f;
     struct pose pose[SUSPENSION_BODIES];
+    double noise;                    /* round-off of a length times the stiffest elastic sling */
     double force[SUSPENSION_SLINGS]; /* of rigid slings */
     int active[SUSPENSION_SLINGS];   /* rigid slings whose length is held */
     int steps, by_contact;
@@ -141,7 +143,7 @@ static enum status newton(struct work *w, struct potential *p)
 
         find_forces(w, p, c, &f);
         error = fmax(largest(p->n, p->gradient), largest(f.m, c));
-        if (error <= balanced || (error <= good && !(error < before / 2)))
+        if (error <= balanced || (error <= good + 50 * w->noise && !(error < before / 2)))
             return SW_OK;
         if (!(error <= 1e3) || newton_step(w, p, c, &f) != SW_OK)
             return SW_NOCONV;
@@ -201,8 +203,8 @@ static double least_in(const struct room *room, const struct potential *p, doubl
     return lambda[0];
 }
 
-/* Rigid slings as stiff ones with their present forces; their new forces afterwards.  *off: how far
- * the lengths are off. */
+/* Rigid slings as stiff ones with their present forces, stiff enough to be slack at half of their
+ * length; their new forces afterwards.  *off: how far the lengths are off. */
 static enum status descend_once(struct work *w, double stiffness, double *off)
 {
     struct sling_law law[SUSPENSION_SLINGS];
@@ -212,8 +214,8 @@ static enum status descend_once(struct work *w, double stiffness, double *off)
     potential_laws(w->s, w->force, law);
     for (int k = 0; k < w->s->slings; k++)
         if (rigid(w->s, k))
-            law[k].stiffness = stiffness;
-    s = descend(w->s, &w->f, law, 1e-6, w->pose, &w->steps);
+            law[k].stiffness = fmax(stiffness, 2 * w->force[k] / w->s->sling[k].length);
+    s = descend(w->s, &w->f, law, 1e-6 + 50 * w->noise, w->pose, &w->steps);
     if (s != SW_OK)
         return s;
     potential_at(w->s, w->pose, &w->f, law, &p);
@@ -221,7 +223,7 @@ static enum status descend_once(struct work *w, double stiffness, double *off)
     for (int k = 0; k < w->s->slings; k++) {
         if (!rigid(w->s, k))
             continue;
-        *off = fmax(*off, fabs(p.force[k] - w->force[k]) / stiffness);
+        *off = fmax(*off, fabs(p.force[k] - w->force[k]) / law[k].stiffness);
         w->force[k] = p.force[k];
         w->active[k] = p.force[k] > 0;
     }
@@ -307,10 +309,32 @@ static void guess_forces(struct work *w)
     find_forces(w, &p, c, &f);
 }
 
+/* The largest force out of balance and length that is off, with the forces in w. */
+static double out_of_balance(const struct work *w)
+{
+    struct potential p;
+    double most;
+
+    evaluate(w, &p);
+    most = largest(p.n, p.gradient);
+    for (int k = 0; k < w->s->slings; k++)
+        most = fmax(most, rigid(w->s, k) ? p.length[k] - w->s->sling[k].length : 0);
+    return most;
+}
+
+/*
+ * Downhill.  A stable equilibrium right beside the start is taken as it is: shallow hollows do not
+ * survive slings that are only stiff.
+ */
 static enum status settle(struct work *w, struct potential *p)
 {
     double stiffness = 300, off;
+    struct work aside = *w;
 
+    if (out_of_balance(w) < 0.3 && finish(&aside, p) == SW_OK) {
+        *w = aside;
+        return SW_OK;
+    }
     for (int k = 0; k < w->s->slings; k++)
         w->force[k] = fmin(fmax(w->force[k], 0), 10);
     for (int i = 0; i < ROUNDS; i++) {
@@ -388,7 +412,7 @@ static enum status run(const struct suspension *s, enum hang_way way, struct wor
         w->force[k] = w->force[k] > pull ? w->force[k] : 0;
     evaluate(w, &p);
     give_out(s, w, &p, held, ret);
-    return ret->residual <= 1e-10 ? SW_OK : SW_NOCONV;
+    return ret->residual <= 1e-10 + 50 * w->noise ? SW_OK : SW_NOCONV;
 }
 
 /* w at the pose (bodies; NULL: as drawn) of s. */
@@ -404,6 +428,9 @@ static enum status begin(const struct suspension *s, const struct pose *pose, in
     *w = (struct work){.s = unit};
     suspension_freedom(unit, held, &w->f);
     suspension_drawn(unit, w->pose);
+    for (int k = 0; k < s->slings; k++)
+        if (!rigid(s, k))
+            w->noise = fmax(w->noise, DBL_EPSILON * unit->sling[k].EA / unit->sling[k].length);
     for (int b = 0; b < s->bodies && pose; b++) {
         w->pose[b] = pose[b];
         for (int i = 0; i < 3; i++)

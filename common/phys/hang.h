@@ -38,7 +38,8 @@ struct hang {
 
 /*
  * Equilibrium from start (bodies; NULL: as drawn).  held: a body whose tilt stays that of start
- * (planar suspensions), or -1.  The residual is below 1e-10.
+ * (planar suspensions), or -1.  The residual is below 1e-10; above it only for elastic slings of
+ * EA beyond 1e4 weights, whose forces are round-off of their lengths.
  * SW_NOCONV; SW_ADMISSIBLE: not a suspension (suspension_check), or held in space.
  */
 enum status hang(const struct suspension *s, enum hang_way way, const struct pose *start, int held,

@@ -111,7 +111,7 @@ static void refine_most(const struct walk *from, double width, struct heel_range
     struct walk w = *from;
     double least, angle = least_between(overturning, &w, 0, width, &least);
 
-    if (-least > ret->moment) {
+    if (-least > ret->moment && isfinite(angle)) {
         ret->moment = -least;
         ret->at = from->tilt + angle;
     }

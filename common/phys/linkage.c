@@ -41,6 +41,9 @@ const char *linkage_refused(const struct linkage *l)
     return NULL;
 }
 
+/* Of the load's mass: a spreader without any must still know where to hang when slings go slack. */
+static const double lightest = 1e-8;
+
 /* A body whose moment of inertia about y is that of the radius, or of a rod of the half length. */
 static int add_body(struct suspension *s, double mass, double x, double z, double radius,
                     double half)
@@ -106,7 +109,7 @@ enum status linkage_suspension(const struct linkage *l, struct suspension *ret)
         add_pair(ret, hook, 0, load, total / (2 * cos(l->phi)), l->stretch_primary);
         return add_edges(l, z, l->stretch_primary, LINKAGE_LEFT, ret);
     }
-    add_body(ret, l->m_spreader, 0, -l->v, l->radius_spreader, d);
+    add_body(ret, fmax(l->m_spreader, lightest * l->m_load), 0, -l->v, l->radius_spreader, d);
     spreader = suspension_add_point(ret, LINKAGE_SPREADER, -d, 0, -l->v);
     suspension_add_point(ret, LINKAGE_SPREADER, d, 0, -l->v);
     add_pair(ret, hook, 0, spreader, total / (2 * cos(l->phi)), l->stretch_primary);

@@ -23,6 +23,18 @@ static void turned_inertia(const struct suspended *b, const struct pose *p, doub
         }
 }
 
+/* The least principal moment of I lifted to least: whatever the axes, and not at all if it need
+ * not. */
+static void lift_inertia(double I[3][3], double least)
+{
+    double A[9], X[9], lambda[3];
+
+    memcpy(A, I, sizeof A);
+    if (jacobi_symmetric(3, A, lambda, X) == SW_OK && lambda[0] < least)
+        for (int i = 0; i < 3; i++)
+            I[i][i] += least - lambda[0];
+}
+
 /* Mass matrix over the free motions, s free of dimension: the largest mass is of order 1. */
 static void mass_matrix(const struct suspension *s, const struct pose *pose,
                         const struct freedom *f, double *M)
@@ -37,12 +49,12 @@ static void mass_matrix(const struct suspension *s, const struct pose *pose,
         double I[3][3];
 
         turned_inertia(b, pose + f->body[c], I);
+        lift_inertia(I, lightest * most);
         for (int d = 0; d < f->n; d++)
             if (f->body[d] == f->body[c] && f->axis[c] >= 3 && f->axis[d] >= 3)
                 M[c + d * f->n] = I[f->axis[c] - 3][f->axis[d] - 3];
         if (f->axis[c] < 3)
-            M[c + c * f->n] = b->mass;
-        M[c + c * f->n] = fmax(M[c + c * f->n], lightest * most);
+            M[c + c * f->n] = fmax(b->mass, lightest * most);
     }
 }
 

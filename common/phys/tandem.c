@@ -82,13 +82,16 @@ static void add_load(const struct tandem *t, struct suspension *s)
     suspension_add_body(s, t->m_load, cg, (const double(*)[3])I);
 }
 
+/* Of the load's mass, as in linkage.c. */
+static const double lightest = 1e-8;
+
 static void add_spreader(const struct tandem *t, int hook, struct suspension *s)
 {
     double I[3][3] = {{0}}, thin = t->spreader_half / 50;
+    double mass = fmax(t->m_spreader, lightest * t->m_load);
 
-    box(t->m_spreader, t->spreader_half, t->slings == 4 ? t->spreader_cross : thin, thin, I);
-    suspension_add_body(s, t->m_spreader,
-                        (const double[3]){t->hook[hook][0], t->hook[hook][1], -t->v},
+    box(mass, t->spreader_half, t->slings == 4 ? t->spreader_cross : thin, thin, I);
+    suspension_add_body(s, mass, (const double[3]){t->hook[hook][0], t->hook[hook][1], -t->v},
                         (const double(*)[3])I);
 }
 

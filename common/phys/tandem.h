@@ -18,7 +18,7 @@ struct tandem {
     double v, s, z;    /* [m] as in linkage.h; s only with spreaders */
     double spreader_half, spreader_cross; /* points of a spreader [m] */
     double base_half, base_cross;         /* lifting points of the load [m] below each hook */
-    double m_spreader, m_load;            /* each spreader, the load [kg] */
+    double m_spreader, m_load; /* each spreader (counts at least 1e-8 of the load), the load [kg] */
     double g;
     double offset[2];     /* of the load's centre of gravity from the middle of the hooks, x, y */
     double inertia[3][3]; /* of the load about its centre of gravity [kg m2]; all 0: estimated

@@ -51,13 +51,14 @@ static void heights(void **state)
         struct suspension s = suspended_linkage(&l);
         struct hang h = hung(&s, HANG_NEAR);
         double size = fabs(f.c * l.s) + l.v + l.s + fabs(l.z) * f.r;
+        double slack = l.m_spreader > 0 ? 1e-9 : 1e-7; /* without mass it has 1e-8 of the load's */
         struct sway m;
 
         assert_int_equal(sway_of(&s, &h, &m), SW_OK);
         assert_int_equal(h.least > 0, f.h > 0);
         assert_int_equal(m.omega2[0] > 0, f.h > 0);
-        near_abs(sway_height(&s, &m, LINKAGE_LOAD, LINKAGE_SPREADER, 0), f.h, 1e-9 * size);
-        near_abs(sway_height(&s, &m, LINKAGE_LOAD, LINKAGE_LOAD, 0) * f.r, f.h, 1e-9 * size);
+        near_abs(sway_height(&s, &m, LINKAGE_LOAD, LINKAGE_SPREADER, 0), f.h, slack * size);
+        near_abs(sway_height(&s, &m, LINKAGE_LOAD, LINKAGE_LOAD, 0) * f.r, f.h, slack * size);
         below(unbalanced(&s, &h), 1e-12);
     }
 }
