@@ -2,6 +2,7 @@
 #include "phys/descend.h"
 
 #include "num/jacobi.h"
+#include "phys/space.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,16 +20,6 @@ static double norm(int n, const double *x)
     for (int i = 0; i < n; i++)
         sum += x[i] * x[i];
     return sqrt(sum);
-}
-
-static double largest(int n, const double *x)
-{
-    double most = 0;
-
-    for (int i = 0; i < n; i++)
-        if (!(fabs(x[i]) <= most))
-            most = fabs(x[i]);
-    return most;
 }
 
 /* ... but what the gradient lends them away from equilibrium, of either sign: less negative than

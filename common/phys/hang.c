@@ -3,186 +3,19 @@
 #include "phys/hang.h"
 
 #include "num/jacobi.h"
+#include "phys/balance.h"
 #include "phys/descend.h"
 #include "phys/room.h"
+#include "phys/space.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-enum { NEWTON_STEPS = 60, ROUNDS = 40 };
+enum { ROUNDS = 40 };
 
-static const double balanced = 1e-14; /* what Newton asks of forces and lengths, unit weight */
-static const double good = 1e-11;     /* what is good enough when it cannot get there */
-static const double pull = 1e-10;     /* a force below this counts as none */
+static const double pull = 1e-10;     /* a force below this, over the weight, counts as none */
 static const double unstable = -1e-9; /* least eigenvalue of what is no minimum */
-
-struct work {
-    const struct suspension *s; /* free of dimension */
-    struct freedom f;
-    struct pose pose[SUSPENSION_BODIES];
-    double noise;                    /* round-off of a length times the stiffest elastic sling */
-    double force[SUSPENSION_SLINGS]; /* of rigid slings */
-    int active[SUSPENSION_SLINGS];   /* rigid slings whose length is held */
-    int steps, by_contact;
-};
-
-static int rigid(const struct suspension *s, int k)
-{
-    return isinf(s->sling[k].EA);
-}
-
-static double largest(int n, const double *x)
-{
-    double most = 0;
-
-    for (int i = 0; i < n; i++)
-        if (!(fabs(x[i]) <= most))
-            most = fabs(x[i]);
-    return most;
-}
-
-static void evaluate(const struct work *w, struct potential *p)
-{
-    struct sling_law law[SUSPENSION_SLINGS];
-
-    potential_laws(w->s, w->force, law);
-    potential_at(w->s, w->pose, &w->f, law, p);
-}
-
-/*
- * Forces of the active slings that balance the rest best at the present place, then everything with
- * them; c: how far each active length is off; f: of the active lengths' gradients.
- */
-static void find_forces(struct work *w, struct potential *p, double *c, struct nullspace *f)
-{
-    double A[SUSPENSION_FREE * SUSPENSION_SLINGS], b[SUSPENSION_FREE], x[SUSPENSION_SLINGS] = {0};
-    int n = w->f.n, m = 0;
-
-    memset(w->force, 0, sizeof w->force);
-    evaluate(w, p);
-    for (int k = 0; k < w->s->slings; k++)
-        if (w->active[k]) {
-            c[m] = p->length[k] - w->s->sling[k].length;
-            memcpy(A + n * m++, p->J + n * k, (size_t)n * sizeof *A);
-        }
-    for (int i = 0; i < n; i++)
-        b[i] = -p->gradient[i];
-    nullspace_of(n, m, A, 1e-9, f);
-    nullspace_solve(f, b, x);
-    for (int k = w->s->slings - 1; k >= 0; k--)
-        w->force[k] = w->active[k] ? x[--m] : 0;
-    evaluate(w, p);
-}
-
-/*
- * b = -(Z^T H Z)^{-1} Z^T r over the null space Z of the lengths' gradients, added to q. Directions
- * without curvature are left alone: neutral ones have no force either.
- */
-static enum status add_tangential(const struct potential *p, const struct nullspace *f,
-                                  const double *r, double *q)
-{
-    struct room room = {.n = p->n, .m = p->n - f->rank, .Z = f->Q + p->n * f->rank};
-    double A[SUSPENSION_FREE * SUSPENSION_FREE], X[SUSPENSION_FREE * SUSPENSION_FREE];
-    double lambda[SUSPENSION_FREE], force[SUSPENSION_FREE];
-    enum status s;
-
-    room_project(&room, p->H, A);
-    s = jacobi_symmetric(room.m, A, lambda, X);
-    for (int i = 0; i < room.m; i++) {
-        force[i] = 0;
-        for (int l = 0; l < p->n; l++)
-            force[i] += room.Z[l + i * p->n] * r[l];
-    }
-    for (int k = 0; k < room.m && s == SW_OK; k++) {
-        double b = 0;
-
-        for (int i = 0; i < room.m; i++)
-            b -= X[i + k * room.m] * force[i];
-        if (fabs(lambda[k]) <= 1e-11)
-            continue;
-        for (int i = 0; i < room.m; i++)
-            for (int l = 0; l < p->n; l++)
-                q[l] += room.Z[l + i * p->n] * X[i + k * room.m] * b / lambda[k];
-    }
-    return s;
-}
-
-/* One step of Newton: lengths first (shortest motion), then forces. */
-static enum status newton_step(struct work *w, const struct potential *p, const double *c,
-                               const struct nullspace *f)
-{
-    double minus[SUSPENSION_SLINGS], q[SUSPENSION_FREE], r[SUSPENSION_FREE], size;
-    enum status s;
-
-    for (int k = 0; k < f->m; k++)
-        minus[k] = -c[k];
-    nullspace_transposed(f, minus, q);
-    for (int i = 0; i < p->n; i++) {
-        r[i] = p->gradient[i];
-        for (int j = 0; j < p->n; j++)
-            r[i] += p->H[i + j * p->n] * q[j];
-    }
-    s = add_tangential(p, f, r, q);
-    size = largest(p->n, q);
-    for (int i = 0; i < p->n && size > 0.2; i++)
-        q[i] *= 0.2 / size;
-    pose_move(&w->f, q, w->pose);
-    w->steps++;
-    return s;
-}
-
-/* Newton with the active slings, until nothing is gained any more. */
-static enum status newton(struct work *w, struct potential *p)
-{
-    double c[SUSPENSION_SLINGS], before = INFINITY;
-    struct nullspace f;
-
-    for (int i = 0; i < NEWTON_STEPS; i++) {
-        double error;
-
-        find_forces(w, p, c, &f);
-        error = fmax(largest(p->n, p->gradient), largest(f.m, c));
-        if (error <= balanced || (error <= good + 50 * w->noise && !(error < before / 2)))
-            return SW_OK;
-        if (!(error <= 1e3) || newton_step(w, p, c, &f) != SW_OK)
-            return SW_NOCONV;
-        before = error;
-    }
-    return SW_NOCONV;
-}
-
-/* Drops the rigid sling that pushes most, or holds the one that is most too long; 0: neither. */
-static int change_active(struct work *w, const struct potential *p)
-{
-    double worst = pull;
-    int k = -1;
-
-    for (int i = 0; i < w->s->slings; i++) {
-        double wrong = !rigid(w->s, i) ? 0
-                       : w->active[i]  ? -w->force[i]
-                                       : p->length[i] - w->s->sling[i].length;
-
-        if (wrong > worst) {
-            worst = wrong;
-            k = i;
-        }
-    }
-    if (k >= 0)
-        w->active[k] = !w->active[k];
-    return k >= 0;
-}
-
-static enum status solve(struct work *w, struct potential *p)
-{
-    for (int i = 0; i <= 2 * w->s->slings; i++) {
-        enum status s = newton(w, p);
-
-        if (s != SW_OK || !change_active(w, p))
-            return s;
-    }
-    return SW_NOCONV;
-}
 
 /* Least eigenvalue of the second derivative in the room, its vector v (n) or NULL. */
 static double least_in(const struct room *room, const struct potential *p, double *v)
@@ -205,7 +38,7 @@ static double least_in(const struct room *room, const struct potential *p, doubl
 
 /* Rigid slings as stiff ones with their present forces, stiff enough to be slack at half of their
  * length; their new forces afterwards.  *off: how far the lengths are off. */
-static enum status descend_once(struct work *w, double stiffness, double *off)
+static enum status descend_once(struct balance *w, double stiffness, double *off)
 {
     struct sling_law law[SUSPENSION_SLINGS];
     struct potential p;
@@ -213,7 +46,7 @@ static enum status descend_once(struct work *w, double stiffness, double *off)
 
     potential_laws(w->s, w->force, law);
     for (int k = 0; k < w->s->slings; k++)
-        if (rigid(w->s, k))
+        if (balance_rigid(w->s, k))
             law[k].stiffness = fmax(stiffness, 2 * w->force[k] / w->s->sling[k].length);
     s = descend(w->s, &w->f, law, 1e-6 + 50 * w->noise, w->pose, &w->steps);
     if (s != SW_OK)
@@ -221,9 +54,9 @@ static enum status descend_once(struct work *w, double stiffness, double *off)
     potential_at(w->s, w->pose, &w->f, law, &p);
     *off = 0;
     for (int k = 0; k < w->s->slings; k++) {
-        if (!rigid(w->s, k))
+        if (!balance_rigid(w->s, k))
             continue;
-        *off = fmax(*off, fabs(p.force[k] - w->force[k]) / law[k].stiffness);
+        *off = larger(*off, fabs(p.force[k] - w->force[k]) / law[k].stiffness);
         w->force[k] = p.force[k];
         w->active[k] = p.force[k] > 0;
     }
@@ -235,20 +68,20 @@ static double distance(const struct suspension *s, const struct pose *a, const s
     double most = 0;
 
     for (int i = 0; i < s->bodies; i++) {
-        most = fmax(most, largest(3, (double[3]){a[i].r[0] - b[i].r[0], a[i].r[1] - b[i].r[1],
-                                                 a[i].r[2] - b[i].r[2]}));
+        most = larger(most, largest(3, (double[3]){a[i].r[0] - b[i].r[0], a[i].r[1] - b[i].r[1],
+                                                   a[i].r[2] - b[i].r[2]}));
         for (int j = 0; j < 9; j++)
-            most = fmax(most, fabs((&a[i].R[0][0])[j] - (&b[i].R[0][0])[j]));
+            most = larger(most, fabs((&a[i].R[0][0])[j] - (&b[i].R[0][0])[j]));
     }
     return most;
 }
 
 /* From a little beyond on either side the way down leads back: v (n), the motion that is unstable
  * while no edge that is just touched is counted. */
-static int held_by_contact(const struct work *w, const double *v)
+static int held_by_contact(const struct balance *w, const double *v)
 {
     for (int side = -1; side <= 1; side += 2) {
-        struct work aside = *w;
+        struct balance aside = *w;
         double q[SUSPENSION_FREE], off;
 
         for (int i = 0; i < w->f.n; i++)
@@ -271,13 +104,13 @@ static int leans(const struct suspension *s)
 
 /* Exact equilibrium near the place that descend_once found: SW_OK only if it is a stable one;
  * otherwise w goes a little along what is unstable. */
-static enum status finish(struct work *w, struct potential *p)
+static enum status finish(struct balance *w, struct potential *p)
 {
-    struct work exact = *w;
+    struct balance exact = *w;
     struct room room;
     double v[SUSPENSION_FREE], least;
 
-    if (solve(&exact, p) != SW_OK || !(distance(w->s, w->pose, exact.pose) < 0.2))
+    if (balance_solve(&exact, p) != SW_OK || !(distance(w->s, w->pose, exact.pose) < 0.2))
         return SW_NOCONV;
     room_of(w->s, exact.pose, &w->f, p, exact.force, pull, NULL, &room);
     least = least_in(&room, p, v);
@@ -297,28 +130,28 @@ static enum status finish(struct work *w, struct potential *p)
 
 /* First forces, if none are known: those that balance best at the start, so far as they pull.  With
  * them stiff slings follow the rigid ones from the first step on, and no ridge is crossed. */
-static void guess_forces(struct work *w)
+static void guess_forces(struct balance *w)
 {
     double c[SUSPENSION_SLINGS];
     struct nullspace f;
     struct potential p;
 
-    evaluate(w, &p);
+    balance_at(w, &p);
     for (int k = 0; k < w->s->slings; k++)
-        w->active[k] = rigid(w->s, k) && p.length[k] >= w->s->sling[k].length * (1 - 1e-6);
-    find_forces(w, &p, c, &f);
+        w->active[k] = balance_rigid(w->s, k) && p.length[k] >= w->s->sling[k].length * (1 - 1e-6);
+    balance_forces(w, &p, c, &f);
 }
 
 /* The largest force out of balance and length that is off, with the forces in w. */
-static double out_of_balance(const struct work *w)
+static double out_of_balance(const struct balance *w)
 {
     struct potential p;
     double most;
 
-    evaluate(w, &p);
+    balance_at(w, &p);
     most = largest(p.n, p.gradient);
     for (int k = 0; k < w->s->slings; k++)
-        most = fmax(most, rigid(w->s, k) ? p.length[k] - w->s->sling[k].length : 0);
+        most = larger(most, balance_rigid(w->s, k) ? p.length[k] - w->s->sling[k].length : 0);
     return most;
 }
 
@@ -326,10 +159,10 @@ static double out_of_balance(const struct work *w)
  * Downhill.  A stable equilibrium right beside the start is taken as it is: shallow hollows do not
  * survive slings that are only stiff.
  */
-static enum status settle(struct work *w, struct potential *p)
+static enum status settle(struct balance *w, struct potential *p)
 {
     double stiffness = 300, off;
-    struct work aside = *w;
+    struct balance aside = *w;
 
     if (out_of_balance(w) < 0.3 && finish(&aside, p) == SW_OK) {
         *w = aside;
@@ -350,7 +183,7 @@ static enum status settle(struct work *w, struct potential *p)
 }
 
 /* Residual and moment with the forces as given out, all bodies free. */
-static void check_balance(const struct work *w, int held, struct hang *ret)
+static void check_balance(const struct balance *w, int held, struct hang *ret)
 {
     struct sling_law law[SUSPENSION_SLINGS];
     struct potential p;
@@ -364,13 +197,13 @@ static void check_balance(const struct work *w, int held, struct hang *ret)
         if (f.body[i] == held && f.axis[i] == 4)
             ret->moment = p.gradient[i];
         else
-            ret->residual = fmax(ret->residual, fabs(p.gradient[i]));
+            ret->residual = larger(ret->residual, fabs(p.gradient[i]));
     for (int k = 0; k < w->s->slings; k++)
-        if (rigid(w->s, k))
-            ret->residual = fmax(ret->residual, p.length[k] / w->s->sling[k].length - 1);
+        if (balance_rigid(w->s, k))
+            ret->residual = larger(ret->residual, p.length[k] / w->s->sling[k].length - 1);
 }
 
-static void give_out(const struct suspension *s, const struct work *w, struct potential *p,
+static void give_out(const struct suspension *s, const struct balance *w, struct potential *p,
                      int held, struct hang *ret)
 {
     struct room room;
@@ -400,24 +233,24 @@ static void give_out(const struct suspension *s, const struct work *w, struct po
 }
 
 /* From the place and forces in w, which are those of s free of dimension. */
-static enum status run(const struct suspension *s, enum hang_way way, struct work *w, int held,
+static enum status run(const struct suspension *s, enum hang_way way, struct balance *w, int held,
                        struct hang *ret)
 {
     struct potential p;
-    enum status status = way == HANG_DOWN ? settle(w, &p) : solve(w, &p);
+    enum status status = way == HANG_DOWN ? settle(w, &p) : balance_solve(w, &p);
 
     if (status != SW_OK)
         return status;
     for (int k = 0; k < s->slings; k++)
         w->force[k] = w->force[k] > pull ? w->force[k] : 0;
-    evaluate(w, &p);
+    balance_at(w, &p);
     give_out(s, w, &p, held, ret);
     return ret->residual <= 1e-10 + 50 * w->noise ? SW_OK : SW_NOCONV;
 }
 
 /* w at the pose (bodies; NULL: as drawn) of s. */
 static enum status begin(const struct suspension *s, const struct pose *pose, int held,
-                         struct suspension *unit, struct work *w)
+                         struct suspension *unit, struct balance *w)
 {
     double length, weight;
 
@@ -425,11 +258,11 @@ static enum status begin(const struct suspension *s, const struct pose *pose, in
         return SW_ADMISSIBLE;
     suspension_scale(s, &length, &weight);
     suspension_unit(s, unit);
-    *w = (struct work){.s = unit};
+    *w = (struct balance){.s = unit};
     suspension_freedom(unit, held, &w->f);
     suspension_drawn(unit, w->pose);
     for (int k = 0; k < s->slings; k++)
-        if (!rigid(s, k))
+        if (!balance_rigid(s, k))
             w->noise = fmax(w->noise, DBL_EPSILON * unit->sling[k].EA / unit->sling[k].length);
     for (int b = 0; b < s->bodies && pose; b++) {
         w->pose[b] = pose[b];
@@ -443,7 +276,7 @@ enum status hang(const struct suspension *s, enum hang_way way, const struct pos
                  struct hang *ret)
 {
     struct suspension unit;
-    struct work w;
+    struct balance w;
     enum status status = begin(s, start, held, &unit, &w);
 
     if (status != SW_OK)
@@ -456,7 +289,7 @@ enum status hang_on(const struct suspension *s, enum hang_way way, const struct 
                     int held, double angle, struct hang *ret)
 {
     struct suspension unit;
-    struct work w;
+    struct balance w;
     double length, weight;
     enum status status = begin(s, before->pose, held, &unit, &w);
 
@@ -464,7 +297,7 @@ enum status hang_on(const struct suspension *s, enum hang_way way, const struct 
         return status;
     suspension_scale(s, &length, &weight);
     for (int k = 0; k < s->slings; k++) {
-        w.force[k] = rigid(s, k) ? before->force[k] / weight : 0;
+        w.force[k] = balance_rigid(s, k) ? before->force[k] / weight : 0;
         w.active[k] = w.force[k] > 0;
     }
     if (held >= 0)

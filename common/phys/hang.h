@@ -20,20 +20,22 @@ struct hang {
     double force[SUSPENSION_SLINGS];  /* [N], 0: slack */
     double length[SUSPENSION_SLINGS]; /* of the path [m] */
     int contacts[SUSPENSION_SLINGS];  /* edges that the sling leans on */
-    double energy;     /* against the place as drawn with all slings free of force [J] */
-    double residual;   /* largest unbalanced force, or moment over the length of suspension_scale,
-                          over the weight of all bodies */
-    double moment;     /* that holds the held body, about +y [N m]; 0 if none is held */
-    double least;      /* least eigenvalue of the second derivative, in the room of the rigid slings
-                          and without neutral motions, free of dimension (length, weight): > 0 stable,
-                          < 0 unstable; INFINITY: nothing can move */
-    int neutral;       /* motions that cost nothing whatever the numbers: yaw about one hook, a bar
-                          about its own axis */
-    int indeterminate; /* forces of rigid slings that equilibrium leaves open; those given have the
-                          least sum of squares, some slack where they would push */
-    int by_contact; /* least < 0, and yet it comes back from both sides: edges that are just touched
-                       hold it (HANG_DOWN only) */
-    int steps;      /* of the iteration */
+    double energy;                    /* against the place as drawn, slings without force [J] */
+    double moment;                    /* that holds the held body, about +y [N m]; 0: none is */
+    /* Largest unbalanced force, or moment over the length of suspension_scale, over the weight. */
+    double residual;
+    /* Least eigenvalue of the second derivative in the room of the taut rigid slings and without
+     * neutral motions, free of dimension: > 0 stable, < 0 unstable; INFINITY: nothing can move. */
+    double least;
+    /* It is below 0, and yet the place is reached again from both sides: edges that are just
+     * touched hold it (told by HANG_DOWN only). */
+    int by_contact;
+    /* Motions that cost nothing whatever the numbers: yaw about one hook, a bar about itself. */
+    int neutral;
+    /* Forces of rigid slings that equilibrium leaves open: those given have the least sum of
+     * squares, and slings that would push are slack. */
+    int indeterminate;
+    int steps; /* of the iteration */
 };
 
 /*

@@ -13,12 +13,12 @@
 struct linkage {
     double v, s, z;    /* heights [m]; s = 0: no spreader, slings from the hook to the load */
     double phi, gamma; /* angles from the vertical [rad]; gamma < 0: inwards going down */
-    double m_spreader, m_load;           /* [kg], m_spreader >= 0 */
+    double m_spreader, m_load;           /* [kg]; a spreader counts at least 1e-8 of the load */
     double g;                            /* [m/s2] */
     double offset;                       /* of the load's centre of gravity to the right [m] */
     double radius_spreader, radius_load; /* of gyration [m]; 0: estimated from the widths */
-    double stretch_primary, stretch_secondary; /* elongation over length under the load as drawn
-                                                  without offset; 0: rigid */
+    /* Elongation over stretched length, under the load as drawn without offset; 0: rigid. */
+    double stretch_primary, stretch_secondary;
     int edges;        /* of the load on each side, 0 to 4, that the slings can lean on */
     double half[4];   /* distance of each from the middle [m], from above to below */
     double height[4]; /* above the lifting points [m] */

@@ -1,8 +1,10 @@
 /*
- * Vectors in space.
+ * Vectors in space, largest entries.
  */
 #ifndef SEILWERK_PHYS_SPACE_H
 #define SEILWERK_PHYS_SPACE_H
+
+#include <math.h>
 
 static inline double dot(const double a[3], const double b[3])
 {
@@ -22,6 +24,22 @@ static inline void subtract(const double a[3], const double b[3], double ret[3])
 {
     for (int i = 0; i < 3; i++)
         ret[i] = a[i] - b[i];
+}
+
+/* The larger one; NAN if one is. */
+static inline double larger(double a, double b)
+{
+    return isnan(a) || a > b ? a : b;
+}
+
+/* Largest magnitude of n entries, NAN if one is. */
+static inline double largest(int n, const double *x)
+{
+    double most = 0;
+
+    for (int i = 0; i < n; i++)
+        most = larger(fabs(x[i]), most);
+    return most;
 }
 
 #endif

@@ -91,8 +91,12 @@ static int sound_sling(const struct suspension *s, const struct tie *t)
     if (t->from < 0 || t->from >= s->points || t->to < 0 || t->to >= s->points || t->corners < 0 ||
         t->corners > SUSPENSION_CORNERS)
         return 0;
-    if (t->corners > 0 && (t->leans < 0 || t->leans >= s->bodies))
+    if (t->corners > 0 &&
+        (t->leans < 0 || t->leans >= s->bodies || !(fabs(dot(t->edge, t->edge) - 1) <= 1e-12)))
         return 0;
+    for (int c = 0; c < t->corners; c++)
+        if (!(dot(t->corner[c], t->corner[c]) <= DBL_MAX))
+            return 0;
     return t->length > 0 && t->length <= DBL_MAX && t->EA > 0;
 }
 

@@ -38,14 +38,15 @@ struct hitch {
 };
 
 struct tie {
-    int from, to;  /* points */
-    double length; /* unstretched [m], > 0 */
-    double EA;     /* [N], > 0; INFINITY: rigid */
-    int corners;
-    int leans;                            /* the body of the corners */
-    double corner[SUSPENSION_CORNERS][3]; /* in the order in which they are met from -> to */
-    double edge[3];                       /* unit direction of the edges, with the sign that makes
-                                             edge . ((to - from) x (corner - from)) > 0 a corner in the sling's way */
+    int from, to;                         /* points */
+    double length;                        /* unstretched [m], > 0 */
+    double EA;                            /* [N], > 0; INFINITY: rigid */
+    int corners;                          /* that it may lean on ... */
+    int leans;                            /* ... of this body ... */
+    double corner[SUSPENSION_CORNERS][3]; /* ... in the order in which they are met from -> to */
+    /* Unit direction of the edges, with the sign that makes a corner in the sling's way
+     * edge . ((to - from) x (corner - from)) > 0. */
+    double edge[3];
 };
 
 struct suspension {

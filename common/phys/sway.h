@@ -7,26 +7,25 @@
 #include "phys/hang.h"
 
 enum sway_kind {
-    SWING_LENGTHWISE,
-    SWING_CROSSWISE,
-    HEAVE,
-    TILT_CROSSWISE,  /* turn about x */
-    TILT_LENGTHWISE, /* turn about y */
-    YAW,
+    SWING_LENGTHWISE, /* shift along x */
+    SWING_CROSSWISE,  /* along y */
+    HEAVE,            /* along z */
+    TILT_CROSSWISE,   /* turn about x */
+    TILT_LENGTHWISE,  /* about y */
+    YAW,              /* about z */
     SWAY_KINDS
 };
 
 /* Modes in the order of omega^2, which is negative where the equilibrium is unstable. */
 struct sway {
-    int n;                                               /* modes */
-    int neutral;                                         /* left out: they cost nothing, hang.h */
-    double omega2[SUSPENSION_FREE];                      /* [1/s2] */
-    double shape[SUSPENSION_FREE][SUSPENSION_BODIES][6]; /* shifts of the centres of gravity and
-                       turns, sum of (mass, inertia) shape^2 = 1 [kg^(-1/2), 1/(m kg^(1/2))] */
-    int body[SUSPENSION_FREE];                           /* that has most of the kinetic energy */
-    enum sway_kind kind[SUSPENSION_FREE];      /* the largest part of that body's kinetic energy */
-    double share[SUSPENSION_FREE][SWAY_KINDS]; /* parts of the mode's whole kinetic energy, moved as
-                       x, y, z of the centres, and turned about x, y, z; all bodies */
+    int n;                          /* modes */
+    int neutral;                    /* left out: they cost nothing, hang.h */
+    double omega2[SUSPENSION_FREE]; /* [1/s2] */
+    /* Shifts of the centres of gravity and turns; sum of (mass, inertia) times squares = 1. */
+    double shape[SUSPENSION_FREE][SUSPENSION_BODIES][6];
+    double share[SUSPENSION_FREE][SWAY_KINDS]; /* of the kinetic energy, over all bodies */
+    int body[SUSPENSION_FREE];                 /* that has most of it */
+    enum sway_kind kind[SUSPENSION_FREE];      /* the largest share of that body's */
 };
 
 /*

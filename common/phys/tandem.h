@@ -18,13 +18,14 @@ struct tandem {
     double v, s, z;    /* [m] as in linkage.h; s only with spreaders */
     double spreader_half, spreader_cross; /* points of a spreader [m] */
     double base_half, base_cross;         /* lifting points of the load [m] below each hook */
-    double m_spreader, m_load; /* each spreader (counts at least 1e-8 of the load), the load [kg] */
-    double g;
-    double offset[2];     /* of the load's centre of gravity from the middle of the hooks, x, y */
-    double inertia[3][3]; /* of the load about its centre of gravity [kg m2]; all 0: estimated
-                             as a box round the lifting points */
-    double stretch_primary, stretch_secondary; /* elongation over length under the load as drawn,
-                                                  shared evenly; 0: rigid */
+    double m_spreader, m_load;            /* [kg]; each spreader counts at least 1e-8 of the load */
+    double g;                             /* [m/s2] */
+    /* Of the load's centre of gravity from the middle of the hooks, along x and y [m]. */
+    double offset[2];
+    /* Of the load about its centre of gravity [kg m2]; all 0: that of a box round its points. */
+    double inertia[3][3];
+    /* Elongation over stretched length, under the load as drawn shared evenly; 0: rigid. */
+    double stretch_primary, stretch_secondary;
 };
 
 enum { TANDEM_LOAD = 0, TANDEM_SPREADER = 1 }; /* the bodies: load, spreader 1, spreader 2 */
@@ -32,8 +33,8 @@ enum { TANDEM_LOAD = 0, TANDEM_SPREADER = 1 }; /* the bodies: load, spreader 1, 
 /* NULL or, in words, what is out of range. */
 const char *tandem_refused(const struct tandem *t);
 
-/* Slings in the order hook by hook, primary ones first: at (-,-), (+,-), (-,+), (+,+) of x and y,
- * or (-), (+); then all secondary ones in the same order.  SW_ADMISSIBLE if it is refused. */
+/* Slings: the primary ones hook by hook, those of a hook at (-, -), (+, -), (-, +), (+, +) of x and
+ * y, or at -, + of x; then the secondary ones in the same order.  SW_ADMISSIBLE if refused. */
 enum status tandem_suspension(const struct tandem *t, struct suspension *ret);
 
 #endif

@@ -277,6 +277,26 @@ static void leans_on_an_edge(void **state)
     }
 }
 
+/* A place that is no place gives no equilibrium. */
+static void no_numbers(void **state)
+{
+    (void)state;
+
+    for (int way = HANG_NEAR; way <= HANG_DOWN; way++)
+        for (int elastic = 0; elastic < 2; elastic++) {
+            struct linkage l = inclined;
+            struct suspension s;
+            struct pose start[SUSPENSION_BODIES];
+            struct hang h;
+
+            l.stretch_primary = l.stretch_secondary = elastic ? 0.01 : 0;
+            s = suspended_linkage(&l);
+            suspension_drawn(&s, start);
+            start[0].r[0] = NAN;
+            assert_int_not_equal(hang(&s, (enum hang_way)way, start, -1, &h), SW_OK);
+        }
+}
+
 /* The held tilt of a body and the moment that holds it: W (v - z) sin(tilt). */
 static void held(void **state)
 {
@@ -297,4 +317,4 @@ static void held(void **state)
 TEST_MAIN(cmocka_unit_test(primary_only), cmocka_unit_test(any_start),
           cmocka_unit_test(turns_and_units), cmocka_unit_test(crossed_over),
           cmocka_unit_test(upright_by_contact), cmocka_unit_test(leans_on_an_edge),
-          cmocka_unit_test(held))
+          cmocka_unit_test(held), cmocka_unit_test(no_numbers))

@@ -127,7 +127,7 @@ static void slope_of_energy(void **state)
 static void capsizing(void **state)
 {
     uint64_t seed = 30;
-    int judged = 0;
+    int judged = 0, folded = 0;
     (void)state;
 
     for (int i = 0; i < 100; i++) {
@@ -147,6 +147,7 @@ static void capsizing(void **state)
         near_rel(left.capsizing, -r.capsizing, 1e-6);
         near_rel(left.energy, r.energy, 1e-6);
         assert_true(r.energy > 0 && r.moment > 0 && r.at < r.capsizing);
+        folded += r.end == HEEL_FOLDS;
         if (r.end == HEEL_CAPSIZES) {
             struct heel p;
             int n;
@@ -157,7 +158,7 @@ static void capsizing(void **state)
             below(fabs(p.moment), 1e-8 * l.m_load * 9.81 * (l.v + l.s));
         }
     }
-    assert_true(judged > 10);
+    assert_true(judged > 10 && folded > 10);
 }
 
 /* What the load's edges do: they raise the moment once they are touched, and only then. */

@@ -160,6 +160,40 @@ static void symmetry(void **state)
         near_rel(h.force[k], other.force[k ^ 1], 1e-12);
 }
 
+/* Elastic slings are as long as they need be to hold the place as drawn, and softer than rigid
+ * ones: the primary ones alone have h = v (1 - eps)/(1 + 4 v^2 eps/b^2) - z in the plane as well.
+ */
+static void elastic(void **state)
+{
+    uint64_t seed = 23;
+    (void)state;
+
+    for (int i = 0; i < 200; i++) {
+        struct linkage l = random_linkage(&seed);
+        double eps = log_uniform(&seed, 1e-3, 0.05), b = 2 * l.v * tan(l.phi);
+        struct suspension s;
+        struct hang h;
+        struct sway m;
+
+        l.stretch_primary = eps;
+        l.stretch_secondary = log_uniform(&seed, 1e-3, 0.05);
+        s = suspended_linkage(&l);
+        h = hung(&s, HANG_NEAR);
+        below(unbalanced(&s, &h), 1e-12);
+        near_rel(h.pose[LINKAGE_LOAD].r[2], l.z - l.v - l.s, 1e-9);
+        near_rel(h.force[LINKAGE_LEFT], (l.m_load + l.m_spreader) * l.g / (2 * cos(l.phi)), 1e-7);
+        near_rel(h.force[LINKAGE_SECOND_LEFT], l.m_load * l.g / (2 * cos(l.gamma)), 1e-9);
+        near_rel(1 - s.sling[LINKAGE_LEFT].length / h.length[LINKAGE_LEFT], eps, 1e-6);
+        l.s = 0;
+        s = suspended_linkage(&l);
+        h = hung(&s, HANG_NEAR);
+        assert_int_equal(sway_of(&s, &h, &m), SW_OK);
+        near_abs(sway_height(&s, &m, LINKAGE_LOAD, LINKAGE_LOAD, 0),
+                 l.v * (1 - eps) / (1 + 4 * l.v * l.v * eps / (b * b)) - l.z,
+                 1e-9 * (l.v + fabs(l.z)));
+    }
+}
+
 static void refusals(void **state)
 {
     struct linkage good = inclined, bad;
@@ -192,4 +226,4 @@ static void refusals(void **state)
 
 TEST_MAIN(cmocka_unit_test(critical_height), cmocka_unit_test(heights),
           cmocka_unit_test(second_order), cmocka_unit_test(published), cmocka_unit_test(symmetry),
-          cmocka_unit_test(refusals))
+          cmocka_unit_test(elastic), cmocka_unit_test(refusals))

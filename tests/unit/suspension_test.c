@@ -237,7 +237,8 @@ static void refusals(void **state)
     REFUSED(bad.sling[2].EA = -1);
     REFUSED(bad.sling[2].to = 77);
     REFUSED(bad.point[3].at[0] = INFINITY);
-    REFUSED(bad.slings = 2); /* nothing holds the load */
+    REFUSED(bad.sling[2].corners = 1); /* on no edge */
+    REFUSED(bad.slings = 2);           /* nothing holds the load */
 #undef REFUSED
     good.planar = 0;
     assert_int_equal(hang(&good, HANG_NEAR, NULL, 0, &h), SW_ADMISSIBLE);
