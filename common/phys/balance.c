@@ -50,17 +50,21 @@ void balance_forces(struct balance *w, struct potential *p, double *c, struct nu
 }
 
 /*
- * b = -(Z^T H Z)^{-1} Z^T r over the null space Z of the lengths' gradients, added to q. Directions
- * without curvature are left alone: neutral ones have no force either.
+ * q -= Z (Z^T H Z)^{-1} Z^T r over the room Z that the active lengths leave.  Neutral motions are
+ * not in it; other directions without curvature are left alone.
  */
-static enum status add_tangential(const struct potential *p, const struct nullspace *f,
+static enum status add_tangential(const struct balance *w, const struct potential *p,
                                   const double *r, double *q)
 {
-    struct room room = {.n = p->n, .m = p->n - f->rank, .Z = f->Q + p->n * f->rank};
-    double A[SUSPENSION_FREE * SUSPENSION_FREE], X[SUSPENSION_FREE * SUSPENSION_FREE];
+    struct room room;
+    double held[SUSPENSION_SLINGS], A[SUSPENSION_FREE * SUSPENSION_FREE],
+        X[SUSPENSION_FREE * SUSPENSION_FREE];
     double lambda[SUSPENSION_FREE], force[SUSPENSION_FREE];
     enum status s;
 
+    for (int k = 0; k < w->s->slings; k++)
+        held[k] = w->active[k];
+    room_of(w->s, w->pose, &w->f, p, held, 0.5, NULL, &room);
     room_project(&room, p->H, A);
     s = jacobi_symmetric(room.m, A, lambda, X);
     for (int i = 0; i < room.m; i++) {
@@ -97,7 +101,7 @@ static enum status newton_step(struct balance *w, const struct potential *p, con
         for (int j = 0; j < p->n; j++)
             r[i] += p->H[i + j * p->n] * q[j];
     }
-    s = add_tangential(p, f, r, q);
+    s = add_tangential(w, p, r, q);
     size = largest(p->n, q);
     for (int i = 0; i < p->n && size > 0.2; i++)
         q[i] *= 0.2 / size;

@@ -108,6 +108,30 @@ static void any_start(void **state)
     assert_true(slack > 20);
 }
 
+/* Beside the start Newton finds what the way down finds.  (Neutral motions once led it away.) */
+static void near_and_down(void **state)
+{
+    uint64_t seed = 14;
+    (void)state;
+
+    for (int i = 0; i < 200; i++) {
+        struct tandem t = random_tandem(&seed, i);
+        struct suspension s;
+        struct hang h, g;
+
+        t.offset[0] *= 0.1 * t.base_half;
+        t.offset[1] *= 0.1 * t.base_half;
+        t.z = -fabs(t.z) - 1;
+        s = suspended_tandem(&t);
+        h = hung(&s, HANG_NEAR);
+        g = hung(&s, HANG_DOWN);
+        below(unbalanced(&s, &h), 1e-10);
+        assert_true(h.least > 0);
+        for (int k = 0; k < s.slings; k++)
+            near_abs(g.force[k], h.force[k], 1e-8 * 1e6);
+    }
+}
+
 static void turn_point(double angle, double x[3])
 {
     double a = cos(angle) * x[0] - sin(angle) * x[1];
@@ -315,6 +339,6 @@ static void held(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(primary_only), cmocka_unit_test(any_start),
-          cmocka_unit_test(turns_and_units), cmocka_unit_test(crossed_over),
-          cmocka_unit_test(upright_by_contact), cmocka_unit_test(leans_on_an_edge),
-          cmocka_unit_test(held), cmocka_unit_test(no_numbers))
+          cmocka_unit_test(near_and_down), cmocka_unit_test(turns_and_units),
+          cmocka_unit_test(crossed_over), cmocka_unit_test(upright_by_contact),
+          cmocka_unit_test(leans_on_an_edge), cmocka_unit_test(held), cmocka_unit_test(no_numbers))

@@ -218,6 +218,24 @@ static void words(void **state)
     assert_true(h.least > 0);
 }
 
+/* The tandem lift of a linkage: half of it under each of two hooks. */
+static struct tandem doubled(const struct linkage *l)
+{
+    return (struct tandem){.hooks = 2,
+                           .hook = {{0, -4}, {0, 4}},
+                           .slings = 2,
+                           .spreaders = 1,
+                           .v = l->v,
+                           .s = l->s,
+                           .z = l->z,
+                           .spreader_half = l->v * tan(l->phi),
+                           .base_half = l->v * tan(l->phi) + l->s * tan(l->gamma),
+                           .m_spreader = l->m_spreader / 2,
+                           .m_load = l->m_load,
+                           .g = l->g,
+                           .offset = {l->offset}};
+}
+
 /* With spreaders under two hooks, lengthwise h is that of the planar formula. */
 static void as_in_the_plane(void **state)
 {
@@ -227,18 +245,7 @@ static void as_in_the_plane(void **state)
     for (int i = 0; i < 500; i++) {
         struct linkage l = random_linkage(&seed);
         struct formula f = formula_of(&l);
-        struct tandem t = {.hooks = 2,
-                           .hook = {{0, -4}, {0, 4}},
-                           .slings = 2,
-                           .spreaders = 1,
-                           .v = l.v,
-                           .s = l.s,
-                           .z = l.z,
-                           .spreader_half = l.v * tan(l.phi),
-                           .base_half = l.v * tan(l.phi) + l.s * tan(l.gamma),
-                           .m_spreader = l.m_spreader / 2,
-                           .m_load = l.m_load,
-                           .g = l.g};
+        struct tandem t = doubled(&l);
         struct suspension s = suspended_tandem(&t);
         struct hang h = hung(&s, HANG_NEAR);
         struct sway m = swaying(&s, &h);
@@ -249,6 +256,49 @@ static void as_in_the_plane(void **state)
         below(unbalanced(&s, &h), 1e-11);
         if (f.h < 0)
             assert_true(h.least < 0);
+    }
+}
+
+/* Slings that lean on long edges across the load hang as in the plane, at half of the force; Newton
+ * and the way down end at the same place. */
+static void edges_in_space(void **state)
+{
+    struct linkage l = inclined;
+    double b = l.v * tan(l.phi) + l.s * tan(l.gamma);
+    struct suspension flat, s;
+    struct hang plane, near, down;
+    struct tandem t;
+    (void)state;
+
+    l.edges = 1;
+    l.half[0] = b - 0.05;
+    l.height[0] = 2;
+    l.offset = 0.1;
+    flat = suspended_linkage(&l);
+    plane = hung(&flat, HANG_DOWN);
+    assert_int_equal(plane.contacts[LINKAGE_SECOND_RIGHT], 1);
+    assert_int_equal(plane.contacts[LINKAGE_SECOND_LEFT], 0);
+    t = doubled(&l);
+    s = suspended_tandem(&t);
+    for (int k = 4; k < 8; k++) {
+        double side = k % 2 ? 1 : -1;
+        double corner[1][3] = {{side * l.half[0], 0, -l.v - l.s + l.height[0]}};
+
+        assert_int_equal(suspension_add_edges(&s, k, TANDEM_LOAD, (double[3]){0, 1, 0},
+                                              (double[3]){side, 0, 0}, 1,
+                                              (const double(*)[3])corner),
+                         SW_OK);
+    }
+    near = hung(&s, HANG_NEAR);
+    down = hung(&s, HANG_DOWN);
+    below(unbalanced(&s, &near), 1e-12);
+    near_rel(pose_tilted(near.pose), pose_tilted(plane.pose), 1e-11);
+    near_rel(pose_tilted(near.pose + 1), pose_tilted(plane.pose + 1), 1e-11);
+    near_rel(pose_tilted(down.pose), pose_tilted(plane.pose), 1e-11);
+    for (int k = 0; k < 8; k++) {
+        near_rel(2 * near.force[k], plane.force[k % 2 + (k < 4 ? 0 : 2)], 1e-11);
+        near_rel(down.force[k], near.force[k], 1e-10);
+        assert_int_equal(near.contacts[k], k >= 4 && k % 2 == 1);
     }
 }
 
@@ -281,4 +331,5 @@ static void refusals(void **state)
 
 TEST_MAIN(cmocka_unit_test(case_1_2_5), cmocka_unit_test(elastic_formulas),
           cmocka_unit_test(pendulum), cmocka_unit_test(four_share), cmocka_unit_test(three_carry),
-          cmocka_unit_test(words), cmocka_unit_test(as_in_the_plane), cmocka_unit_test(refusals))
+          cmocka_unit_test(words), cmocka_unit_test(as_in_the_plane),
+          cmocka_unit_test(edges_in_space), cmocka_unit_test(refusals))
