@@ -15,6 +15,7 @@ struct walk {
     const struct suspension *s;
     int body;
     double tilt; /* of the body, at h, counted on beyond half a turn */
+    double sign; /* of the direction, if it keeps one */
     struct hang h;
 };
 
@@ -56,6 +57,11 @@ static int walk_to(struct walk *w, double tilt)
     return 1;
 }
 
+static int admissible(const struct suspension *s, int body)
+{
+    return suspension_check(s) == SW_OK && s->planar && body >= 0 && body < s->bodies;
+}
+
 static void tell(const struct walk *w, struct heel *ret)
 {
     *ret = (struct heel){.tilt = w->tilt, .moment = w->h.moment, .energy = w->h.energy};
@@ -74,6 +80,8 @@ enum status heel_path(const struct suspension *s, int body, const struct pose *s
     enum status status;
 
     *ret_n = 0;
+    if (!admissible(s, body) || !(fabs(first) <= DBL_MAX && fabs(last) <= DBL_MAX))
+        return SW_ADMISSIBLE;
     status = hang(s, HANG_DOWN, start, start ? body : -1, &w.h);
     if (status != SW_OK)
         return status;
@@ -89,15 +97,15 @@ enum status heel_path(const struct suspension *s, int body, const struct pose *s
     return SW_OK;
 }
 
-/* Moment against the direction of the walk, at an angle farther on than w; NAN: the path ends. */
+/* Moment against the direction of the walk, farther on than from; NAN: the path ends. */
 static double righting(double angle, void *context)
 {
     const struct walk *from = context;
     struct walk w = *from;
 
-    if (!walk_to(&w, from->tilt + angle))
+    if (!walk_to(&w, from->tilt + w.sign * angle))
         return NAN;
-    return copysign(1, angle) * w.h.moment;
+    return w.sign * w.h.moment;
 }
 
 static double overturning(double angle, void *context)
@@ -106,69 +114,76 @@ static double overturning(double angle, void *context)
 }
 
 /* The largest moment within width from the place before the largest sample on. */
-static void refine_most(const struct walk *from, double width, struct heel_range *ret)
+static void refine_most(struct walk *from, double width, struct heel_range *ret)
 {
-    struct walk w = *from;
-    double least, angle = least_between(overturning, &w, 0, width, &least);
+    double least, angle = least_between(overturning, from, 0, width, &least);
 
     if (-least > ret->moment && isfinite(angle)) {
         ret->moment = -least;
-        ret->at = from->tilt + angle;
+        ret->at = from->tilt + from->sign * angle;
     }
 }
 
-/* The walk ends between w and the angle farther on, where the moment fa turns to fb. */
-static void end_at_zero(struct walk *w, double angle, double fa, double fb, struct heel_range *ret)
+/* From last, where the moment was before, to where it vanishes; it is now at w. */
+static void end_at_zero(struct walk *last, double before, double now, struct walk *w)
 {
-    struct walk from = *w;
-    double at = root_between(righting, &from, 0, fa, angle, fb);
+    double at = root_between(righting, last, 0, before, fabs(w->tilt - last->tilt), now);
 
-    ret->end = HEEL_CAPSIZES;
-    walk_to(w, from.tilt + at);
+    *w = *last;
+    walk_to(w, last->tilt + w->sign * at);
+}
+
+/*
+ * Sample by sample until the moment vanishes, the path folds or the limit is reached; w ends there.
+ * The largest sample goes to ret, the place before it to top.  The moment at the beginning is zero,
+ * so that a first short step tells whether it rights at all: 0 if it does not.
+ */
+static int walk_range(struct walk *w, double limit, struct walk *top, struct heel_range *ret)
+{
+    struct walk last = *w;
+    double step = longest / 16, before = 0;
+
+    for (; w->tilt != limit; step = longest) {
+        double now;
+
+        if (!walk_to(w, fabs(limit - w->tilt) <= step ? limit : w->tilt + w->sign * step)) {
+            ret->end = HEEL_FOLDS;
+            return before > 0;
+        }
+        now = w->sign * w->h.moment;
+        if (!(now > 0)) {
+            if (!(before > 0))
+                return 0;
+            ret->end = HEEL_CAPSIZES;
+            end_at_zero(&last, before, now, w);
+            return 1;
+        }
+        if (now > ret->moment) {
+            ret->moment = now;
+            ret->at = w->tilt;
+            *top = last;
+        }
+        before = now;
+        last = *w;
+    }
+    return 1;
 }
 
 enum status heel_range(const struct suspension *s, int body, const struct hang *h, double limit,
                        struct heel_range *ret)
 {
-    struct walk w = {.s = s, .body = body, .h = *h}, last, top;
-    double sign, before = 0, step = longest;
-    int first = 1;
+    struct walk w = {.s = s, .body = body, .h = *h}, top;
 
-    if (suspension_check(s) != SW_OK || !s->planar || body < 0 || body >= s->bodies ||
-        !(fabs(limit) <= DBL_MAX))
+    if (!admissible(s, body) || !(fabs(limit) <= DBL_MAX))
         return SW_ADMISSIBLE;
     w.tilt = pose_tilted(h->pose + body);
-    sign = copysign(1, limit - w.tilt);
+    w.sign = copysign(1, limit - w.tilt);
     *ret = (struct heel_range){.tilt = w.tilt, .end = HEEL_HOLDS, .at = w.tilt};
-    top = last = w;
-    while (w.tilt != limit) {
-        double left = fabs(limit - w.tilt), angle = sign * fmin(first ? step / 16 : step, left);
-        double now;
-
-        if (!walk_to(&w, angle == limit - w.tilt ? limit : w.tilt + angle)) {
-            ret->end = HEEL_FOLDS;
-            break;
-        }
-        now = sign * w.h.moment;
-        if (first && !(now > 0))
-            return SW_INFEASIBLE;
-        if (!(now > 0)) {
-            angle = w.tilt - last.tilt;
-            w = last;
-            end_at_zero(&w, angle, before, now, ret);
-            break;
-        }
-        if (now > ret->moment) {
-            ret->moment = now;
-            ret->at = w.tilt;
-            top = last;
-        }
-        before = now;
-        last = w;
-        first = 0;
-    }
+    top = w;
+    if (!walk_range(&w, limit, &top, ret))
+        return SW_INFEASIBLE;
     ret->capsizing = w.tilt;
     ret->energy = w.h.energy - h->energy;
-    refine_most(&top, sign * fmin(2 * step, fabs(w.tilt - top.tilt)), ret);
+    refine_most(&top, fmin(2 * longest, fabs(w.tilt - top.tilt)), ret);
     return SW_OK;
 }

@@ -26,8 +26,7 @@ enum heel_end {
 
 struct heel_range {
     double tilt;      /* equilibrium [rad] */
-    double capsizing; /* tilt of the body where the path ends by capsizing or folding; the limit
-                         if it holds [rad] */
+    double capsizing; /* where it capsizes or the path folds; the limit if it holds [rad] */
     double energy;    /* from equilibrium to there [J] */
     double moment;    /* the largest righting moment on the way [N m] ... */
     double at;        /* ... and its tilt [rad] */
@@ -36,13 +35,17 @@ struct heel_range {
 
 /*
  * The path from the pose start (an equilibrium or a held one; NULL: as drawn, settled) at n tilts
- * going evenly from first to last; ret (n), *ret_n points are filled before the path folds.
- * SW_NOCONV, SW_ADMISSIBLE as hang.
+ * going evenly from first to last [rad]; ret (n), *ret_n points are filled before the path folds.
+ * SW_NOCONV: no equilibrium at start; SW_ADMISSIBLE: no planar suspension, no such body.
  */
 enum status heel_path(const struct suspension *s, int body, const struct pose *start, double first,
                       double last, int n, struct heel *ret, int *ret_n);
 
-/* Equilibrium h, a stable one, and the range of tilt from there towards limit (either sign). */
+/*
+ * The range of tilt from the equilibrium h, a stable one, towards limit [rad], either way.
+ * SW_INFEASIBLE: nothing rights it, h is not stable; SW_ADMISSIBLE: no planar suspension, no such
+ * body.
+ */
 enum status heel_range(const struct suspension *s, int body, const struct hang *h, double limit,
                        struct heel_range *ret);
 

@@ -239,24 +239,6 @@ static void crossed_over(void **state)
     }
 }
 
-/* Cases 1.2.1 to 1.2.3: short primary slings, the centre of gravity high above the lifting points,
- * vertical secondary slings along the load's sides. */
-static struct linkage leaning(double h, double gap)
-{
-    struct linkage l = {.v = 1,
-                        .s = 8,
-                        .phi = 70 * DEGREES,
-                        .m_spreader = 8e3,
-                        .m_load = 1e5,
-                        .g = 9.81,
-                        .edges = 1,
-                        .height = {3}};
-
-    l.z = formula_of(&l).h - h;
-    l.half[0] = l.v * tan(l.phi) - gap;
-    return l;
-}
-
 /* Unstable by the formula, and held upright by the edges that both slings touch. */
 static void upright_by_contact(void **state)
 {

@@ -146,6 +146,8 @@ static void capsizing(void **state)
         assert_int_equal(heel_range(&s, LINKAGE_LOAD, &h, -PI, &left), SW_OK);
         near_rel(left.capsizing, -r.capsizing, 1e-6);
         near_rel(left.energy, r.energy, 1e-6);
+        near_rel(left.moment, r.moment, 1e-6);
+        near_rel(left.at, -r.at, 1e-4);
         assert_true(r.energy > 0 && r.moment > 0 && r.at < r.capsizing);
         folded += r.end == HEEL_FOLDS;
         if (r.end == HEEL_CAPSIZES) {
@@ -188,6 +190,44 @@ static void edges_hold(void **state)
     assert_true(touched > 5 && touched < 40);
 }
 
+/* What only edges hold upright has a range as well; without them nothing rights it. */
+static void held_by_edges(void **state)
+{
+    struct linkage l = leaning(-0.2, 0);
+    struct suspension s = suspended_linkage(&l);
+    struct hang h = hung(&s, HANG_DOWN);
+    struct heel_range right, left;
+    (void)state;
+
+    assert_int_equal(heel_range(&s, LINKAGE_LOAD, &h, PI / 2, &right), SW_OK);
+    assert_int_equal(heel_range(&s, LINKAGE_LOAD, &h, -PI / 2, &left), SW_OK);
+    assert_true(right.energy > 0 && right.moment > 0 && right.capsizing > 0.3);
+    near_rel(left.capsizing, -right.capsizing, 1e-8);
+    near_rel(left.energy, right.energy, 1e-8);
+    l.edges = 0;
+    s = suspended_linkage(&l);
+    h = hung(&s, HANG_NEAR);
+    assert_int_equal(heel_range(&s, LINKAGE_LOAD, &h, PI / 2, &right), SW_INFEASIBLE);
+}
+
+static void refusals(void **state)
+{
+    struct suspension s = suspended_linkage(&inclined);
+    struct hang h = hung(&s, HANG_DOWN);
+    struct heel_range r;
+    struct heel p;
+    int n;
+    (void)state;
+
+    assert_int_equal(heel_range(&s, 2, &h, 1, &r), SW_ADMISSIBLE);
+    assert_int_equal(heel_range(&s, 0, &h, NAN, &r), SW_ADMISSIBLE);
+    assert_int_equal(heel_path(&s, -1, NULL, 0, 1, 1, &p, &n), SW_ADMISSIBLE);
+    assert_int_equal(heel_path(&s, 0, NULL, 0, NAN, 1, &p, &n), SW_ADMISSIBLE);
+    s.planar = 0;
+    assert_int_equal(heel_range(&s, 0, &h, 1, &r), SW_ADMISSIBLE);
+}
+
 TEST_MAIN(cmocka_unit_test(closed_range), cmocka_unit_test(closed_path),
           cmocka_unit_test(printed_moment), cmocka_unit_test(slope_of_energy),
-          cmocka_unit_test(capsizing), cmocka_unit_test(edges_hold))
+          cmocka_unit_test(capsizing), cmocka_unit_test(edges_hold),
+          cmocka_unit_test(held_by_edges), cmocka_unit_test(refusals))
