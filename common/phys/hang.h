@@ -12,7 +12,7 @@
 
 enum hang_way {
     HANG_NEAR, /* the equilibrium next to the start, stable or not: Newton */
-    HANG_DOWN  /* downhill from the start to a stable one */
+    HANG_DOWN  /* downhill from the start to a stable one; there may be several, see offset.h */
 };
 
 struct hang {
