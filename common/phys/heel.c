@@ -8,6 +8,7 @@
 #include <math.h>
 
 static const double longest = PI / 90; /* step along the path */
+static const double narrowest = 1e-7;  /* range of tilt that counts as one */
 static const double shortest = 1e-10;  /* step at which it is told to end */
 static const double jump = 0.3;        /* turn of another body that is no continuation */
 
@@ -135,15 +136,15 @@ static void end_at_zero(struct walk *last, double before, double now, struct wal
 
 /*
  * Sample by sample until the moment vanishes, the path folds or the limit is reached; w ends there.
- * The largest sample goes to ret, the place before it to top.  The moment at the beginning is zero,
- * so that a first short step tells whether it rights at all: 0 if it does not.
+ * The largest sample goes to ret, the place before it to top.  The moment at the beginning is zero:
+ * ever shorter first steps tell whether it rights at all, 0 if it does not.
  */
 static int walk_range(struct walk *w, double limit, struct walk *top, struct heel_range *ret)
 {
     struct walk last = *w;
-    double step = longest / 16, before = 0;
+    double step = longest, before = 0;
 
-    for (; w->tilt != limit; step = longest) {
+    while (w->tilt != limit) {
         double now;
 
         if (!walk_to(w, fabs(limit - w->tilt) <= step ? limit : w->tilt + w->sign * step)) {
@@ -151,9 +152,14 @@ static int walk_range(struct walk *w, double limit, struct walk *top, struct hee
             return before > 0;
         }
         now = w->sign * w->h.moment;
-        if (!(now > 0)) {
-            if (!(before > 0))
+        if (!(now > 0) && !(before > 0)) {
+            step /= 16;
+            *w = last;
+            if (step < narrowest)
                 return 0;
+            continue;
+        }
+        if (!(now > 0)) {
             ret->end = HEEL_CAPSIZES;
             end_at_zero(&last, before, now, w);
             return 1;
@@ -165,6 +171,7 @@ static int walk_range(struct walk *w, double limit, struct walk *top, struct hee
         }
         before = now;
         last = *w;
+        step = longest;
     }
     return 1;
 }

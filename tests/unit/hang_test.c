@@ -248,10 +248,25 @@ static void upright_by_contact(void **state)
     (void)state;
 
     assert_true(h.least < 0);
-    h = hung(&s, HANG_DOWN);
-    assert_int_equal(h.by_contact, 1);
-    near_abs(pose_tilted(h.pose + LINKAGE_LOAD), 0, 1e-9);
-    near_abs(pose_tilted(h.pose + LINKAGE_SPREADER), 0, 1e-9);
+    for (double tilt = 0; tilt < 0.1; tilt += 0.03) { /* and comes back to it */
+        struct pose start[SUSPENSION_BODIES];
+
+        suspension_drawn(&s, start);
+        pose_tilt(start + LINKAGE_LOAD, tilt);
+        pose_tilt(start + LINKAGE_SPREADER, tilt);
+        assert_int_equal(hang(&s, HANG_DOWN, start, -1, &h), SW_OK);
+        assert_int_equal(h.by_contact, 1);
+        near_abs(pose_tilted(h.pose + LINKAGE_LOAD), 0, 1e-9);
+        near_abs(pose_tilted(h.pose + LINKAGE_SPREADER), 0, 1e-9);
+    }
+    for (double fall = 0.5; fall < 3; fall += 0.5) { /* or falls into it */
+        struct pose start[SUSPENSION_BODIES];
+
+        suspension_drawn(&s, start);
+        start[LINKAGE_LOAD].r[2] += fall;
+        assert_int_equal(hang(&s, HANG_DOWN, start, -1, &h), SW_OK);
+        assert_int_equal(h.by_contact, 1);
+    }
     l.edges = 0;
     s = suspended_linkage(&l);
     h = hung(&s, HANG_DOWN);

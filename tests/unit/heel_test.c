@@ -57,6 +57,29 @@ static void closed_range(void **state)
     }
 }
 
+/* A range far narrower than any step along the path, and none. */
+static void narrow_range(void **state)
+{
+    struct linkage l = primary;
+    (void)state;
+
+    for (l.phi = 0.5 * DEGREES; l.phi > 0.01 * DEGREES; l.phi /= 5) {
+        struct suspension s;
+        struct hang h;
+        struct heel_range r;
+
+        l.z = 4.5;
+        s = suspended_linkage(&l);
+        h = hung(&s, HANG_NEAR);
+        assert_int_equal(heel_range(&s, 0, &h, PI / 2, &r), SW_OK);
+        near_rel(r.capsizing, atan(l.v * tan(l.phi) / l.z), 1e-6);
+        l.z = 5.1;
+        s = suspended_linkage(&l);
+        h = hung(&s, HANG_NEAR);
+        assert_int_equal(heel_range(&s, 0, &h, PI / 2, &r), SW_INFEASIBLE);
+    }
+}
+
 static void closed_path(void **state)
 {
     struct suspension s = suspended_linkage(&primary);
@@ -227,7 +250,7 @@ static void refusals(void **state)
     assert_int_equal(heel_range(&s, 0, &h, 1, &r), SW_ADMISSIBLE);
 }
 
-TEST_MAIN(cmocka_unit_test(closed_range), cmocka_unit_test(closed_path),
-          cmocka_unit_test(printed_moment), cmocka_unit_test(slope_of_energy),
-          cmocka_unit_test(capsizing), cmocka_unit_test(edges_hold),
-          cmocka_unit_test(held_by_edges), cmocka_unit_test(refusals))
+TEST_MAIN(cmocka_unit_test(closed_range), cmocka_unit_test(narrow_range),
+          cmocka_unit_test(closed_path), cmocka_unit_test(printed_moment),
+          cmocka_unit_test(slope_of_energy), cmocka_unit_test(capsizing),
+          cmocka_unit_test(edges_hold), cmocka_unit_test(held_by_edges), cmocka_unit_test(refusals))

@@ -3,6 +3,7 @@
 
 #include "phys/path.h"
 #include "phys/potential.h"
+#include "phys/space.h"
 
 /* A box 2 x 2 x 2 hung from two hooks by four slings that lean on edges of any direction, under
  * another box; every second one elastic. */
@@ -215,6 +216,15 @@ static void touching(void **state)
     assert_true(after[2] > before[2] + 0.1);
 }
 
+static void no_number_is_lost(void **state)
+{
+    (void)state;
+
+    assert_true(isnan(larger(NAN, 1)) && isnan(larger(1, NAN)));
+    assert_true(isnan(largest(3, (const double[3]){1, NAN, 2})));
+    assert_true(largest(3, (const double[3]){1, -3, 2}) == 3);
+}
+
 static void refusals(void **state)
 {
     struct suspension good = suspended_linkage(&inclined), bad;
@@ -245,4 +255,4 @@ static void refusals(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(derivatives), cmocka_unit_test(unfolded), cmocka_unit_test(touching),
-          cmocka_unit_test(refusals))
+          cmocka_unit_test(no_number_is_lost), cmocka_unit_test(refusals))
