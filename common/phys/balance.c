@@ -15,14 +15,14 @@ static const double good = 1e-11;     /* what is good enough when it cannot get 
 static const double wrong_by =
     1e-10; /* a push, or a length too long, that changes the active ones */
 
-int balance_rigid(const struct suspension *s, int k)
+int balance_rigid(const struct gear *s, int k)
 {
     return isinf(s->sling[k].EA);
 }
 
 void balance_at(const struct balance *w, struct potential *p)
 {
-    struct sling_law law[SUSPENSION_SLINGS];
+    struct sling_law law[GEAR_SLINGS];
 
     potential_laws(w->s, w->force, law);
     potential_at(w->s, w->pose, &w->f, law, p);
@@ -30,7 +30,7 @@ void balance_at(const struct balance *w, struct potential *p)
 
 void balance_forces(struct balance *w, struct potential *p, double *c, struct nullspace *f)
 {
-    double A[SUSPENSION_FREE * SUSPENSION_SLINGS], b[SUSPENSION_FREE], x[SUSPENSION_SLINGS] = {0};
+    double A[GEAR_FREE * GEAR_SLINGS], b[GEAR_FREE], x[GEAR_SLINGS] = {0};
     int n = w->f.n, m = 0;
 
     memset(w->force, 0, sizeof w->force);
@@ -57,9 +57,8 @@ static enum status add_tangential(const struct balance *w, const struct potentia
                                   const double *r, double *q)
 {
     struct room room;
-    double held[SUSPENSION_SLINGS], A[SUSPENSION_FREE * SUSPENSION_FREE],
-        X[SUSPENSION_FREE * SUSPENSION_FREE];
-    double lambda[SUSPENSION_FREE], force[SUSPENSION_FREE];
+    double held[GEAR_SLINGS], A[GEAR_FREE * GEAR_FREE], X[GEAR_FREE * GEAR_FREE];
+    double lambda[GEAR_FREE], force[GEAR_FREE];
     enum status s;
 
     for (int k = 0; k < w->s->slings; k++)
@@ -90,7 +89,7 @@ static enum status add_tangential(const struct balance *w, const struct potentia
 static enum status newton_step(struct balance *w, const struct potential *p, const double *c,
                                const struct nullspace *f)
 {
-    double minus[SUSPENSION_SLINGS], q[SUSPENSION_FREE], r[SUSPENSION_FREE], size;
+    double minus[GEAR_SLINGS], q[GEAR_FREE], r[GEAR_FREE], size;
     enum status s;
 
     for (int k = 0; k < f->m; k++)
@@ -113,7 +112,7 @@ static enum status newton_step(struct balance *w, const struct potential *p, con
 /* Newton with the active slings, until nothing is gained any more. */
 static enum status newton(struct balance *w, struct potential *p)
 {
-    double c[SUSPENSION_SLINGS], before = INFINITY;
+    double c[GEAR_SLINGS], before = INFINITY;
     struct nullspace f;
 
     for (int i = 0; i < NEWTON_STEPS; i++) {

@@ -10,18 +10,18 @@
 
 /* A place and the forces of the rigid slings in it. */
 struct balance {
-    const struct suspension *s; /* free of dimension */
+    const struct gear *s; /* free of dimension */
     struct freedom f;
-    struct pose pose[SUSPENSION_BODIES];
-    double noise;                    /* round-off of a length times the stiffest elastic sling */
-    double force[SUSPENSION_SLINGS]; /* of rigid slings */
-    int active[SUSPENSION_SLINGS];   /* rigid slings whose length is held */
-    int steps;                       /* counts on */
-    int by_contact;                  /* hang.h */
+    struct pose pose[GEAR_BODIES];
+    double noise;              /* round-off of a length times the stiffest elastic sling */
+    double force[GEAR_SLINGS]; /* of rigid slings */
+    int active[GEAR_SLINGS];   /* rigid slings whose length is held */
+    int steps;                 /* counts on */
+    int by_contact;            /* hang.h */
 };
 
 /* Sling k of s does not stretch. */
-int balance_rigid(const struct suspension *s, int k);
+int balance_rigid(const struct gear *s, int k);
 
 /* Everything at the place and with the forces of w. */
 void balance_at(const struct balance *w, struct potential *ret);

@@ -43,7 +43,7 @@ static enum status factor(const struct potential *p, double *L)
 /* q = -(H + doubtful I)^{-1} g if that matrix is positive definite and q within the radius. */
 static int newton_step(const struct potential *p, double radius, double *q)
 {
-    double A[SUSPENSION_FREE * SUSPENSION_FREE];
+    double A[GEAR_FREE * GEAR_FREE];
     int n = p->n;
 
     if (factor(p, A) != SW_OK)
@@ -70,8 +70,8 @@ static double shifted(int n, const double *lambda, const double *b, double mu, d
  */
 static enum status bounded_step(const struct potential *p, double radius, double *q)
 {
-    double A[SUSPENSION_FREE * SUSPENSION_FREE], X[SUSPENSION_FREE * SUSPENSION_FREE];
-    double lambda[SUSPENSION_FREE], b[SUSPENSION_FREE], y[SUSPENSION_FREE], low, high, length;
+    double A[GEAR_FREE * GEAR_FREE], X[GEAR_FREE * GEAR_FREE];
+    double lambda[GEAR_FREE], b[GEAR_FREE], y[GEAR_FREE], low, high, length;
     int n = p->n;
     enum status s;
 
@@ -120,12 +120,11 @@ static double promised(const struct potential *p, const double *q)
 }
 
 /* One step; the radius follows how well the model foretold the energy. */
-static enum status step(const struct suspension *s, const struct freedom *f,
-                        const struct sling_law *law, const struct potential *p, struct pose *pose,
-                        double *radius)
+static enum status step(const struct gear *s, const struct freedom *f, const struct sling_law *law,
+                        const struct potential *p, struct pose *pose, double *radius)
 {
-    struct pose next[SUSPENSION_BODIES];
-    double q[SUSPENSION_FREE], ratio, gain, length, noise = 1e-15 * (1 + fabs(p->energy));
+    struct pose next[GEAR_BODIES];
+    double q[GEAR_FREE], ratio, gain, length, noise = 1e-15 * (1 + fabs(p->energy));
 
     memcpy(next, pose, (size_t)s->bodies * sizeof *next);
     if (!newton_step(p, *radius, q)) {
@@ -150,13 +149,13 @@ static enum status step(const struct suspension *s, const struct freedom *f,
 
 static int convex(const struct potential *p)
 {
-    double L[SUSPENSION_FREE * SUSPENSION_FREE];
+    double L[GEAR_FREE * GEAR_FREE];
 
     return factor(p, L) == SW_OK;
 }
 
-enum status descend(const struct suspension *s, const struct freedom *f,
-                    const struct sling_law *law, double tolerance, struct pose *pose, int *steps)
+enum status descend(const struct gear *s, const struct freedom *f, const struct sling_law *law,
+                    double tolerance, struct pose *pose, int *steps)
 {
     double radius = widest / 4;
 

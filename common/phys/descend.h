@@ -12,7 +12,7 @@
  * is above tolerance and the second derivative is not negative.  *steps counts on.
  * SW_NOCONV: not within 1000 steps.
  */
-enum status descend(const struct suspension *s, const struct freedom *f,
-                    const struct sling_law *law, double tolerance, struct pose *pose, int *steps);
+enum status descend(const struct gear *s, const struct freedom *f, const struct sling_law *law,
+                    double tolerance, struct pose *pose, int *steps);
 
 #endif

@@ -20,8 +20,8 @@ static const double unstable = -1e-9; /* least eigenvalue of what is no minimum 
 /* Least eigenvalue of the second derivative in the room, its vector v (n) or NULL. */
 static double least_in(const struct room *room, const struct potential *p, double *v)
 {
-    double A[SUSPENSION_FREE * SUSPENSION_FREE], X[SUSPENSION_FREE * SUSPENSION_FREE];
-    double lambda[SUSPENSION_FREE];
+    double A[GEAR_FREE * GEAR_FREE], X[GEAR_FREE * GEAR_FREE];
+    double lambda[GEAR_FREE];
 
     if (room->m == 0)
         return INFINITY;
@@ -40,7 +40,7 @@ static double least_in(const struct room *room, const struct potential *p, doubl
  * length; their new forces afterwards.  *off: how far the lengths are off. */
 static enum status descend_once(struct balance *w, double stiffness, double *off)
 {
-    struct sling_law law[SUSPENSION_SLINGS];
+    struct sling_law law[GEAR_SLINGS];
     struct potential p;
     enum status s;
 
@@ -63,7 +63,7 @@ static enum status descend_once(struct balance *w, double stiffness, double *off
     return SW_OK;
 }
 
-static double distance(const struct suspension *s, const struct pose *a, const struct pose *b)
+static double distance(const struct gear *s, const struct pose *a, const struct pose *b)
 {
     double most = 0;
 
@@ -82,7 +82,7 @@ static int held_by_contact(const struct balance *w, const double *v)
 {
     for (int side = -1; side <= 1; side += 2) {
         struct balance aside = *w;
-        double q[SUSPENSION_FREE], off;
+        double q[GEAR_FREE], off;
 
         for (int i = 0; i < w->f.n; i++)
             q[i] = side * 1e-3 * v[i];
@@ -94,7 +94,7 @@ static int held_by_contact(const struct balance *w, const double *v)
     return 1;
 }
 
-static int leans(const struct suspension *s)
+static int leans(const struct gear *s)
 {
     for (int k = 0; k < s->slings; k++)
         if (s->sling[k].corners > 0)
@@ -108,7 +108,7 @@ static enum status finish(struct balance *w, struct potential *p)
 {
     struct balance exact = *w;
     struct room room;
-    double v[SUSPENSION_FREE], least;
+    double v[GEAR_FREE], least;
 
     if (balance_solve(&exact, p) != SW_OK || !(distance(w->s, w->pose, exact.pose) < 0.2))
         return SW_NOCONV;
@@ -132,7 +132,7 @@ static enum status finish(struct balance *w, struct potential *p)
  * them stiff slings follow the rigid ones from the first step on, and no ridge is crossed. */
 static void guess_forces(struct balance *w)
 {
-    double c[SUSPENSION_SLINGS];
+    double c[GEAR_SLINGS];
     struct nullspace f;
     struct potential p;
 
@@ -185,11 +185,11 @@ static enum status settle(struct balance *w, struct potential *p)
 /* Residual and moment with the forces as given out, all bodies free. */
 static void check_balance(const struct balance *w, int held, struct hang *ret)
 {
-    struct sling_law law[SUSPENSION_SLINGS];
+    struct sling_law law[GEAR_SLINGS];
     struct potential p;
     struct freedom f;
 
-    suspension_freedom(w->s, -1, &f);
+    gear_freedom(w->s, -1, &f);
     potential_laws(w->s, w->force, law);
     potential_at(w->s, w->pose, &f, law, &p);
     ret->residual = ret->moment = 0;
@@ -203,13 +203,13 @@ static void check_balance(const struct balance *w, int held, struct hang *ret)
             ret->residual = larger(ret->residual, p.length[k] / w->s->sling[k].length - 1);
 }
 
-static void give_out(const struct suspension *s, const struct balance *w, struct potential *p,
-                     int held, struct hang *ret)
+static void give_out(const struct gear *s, const struct balance *w, struct potential *p, int held,
+                     struct hang *ret)
 {
     struct room room;
     double length, weight, start = 0;
 
-    suspension_scale(s, &length, &weight);
+    gear_scale(s, &length, &weight);
     room_of(w->s, w->pose, &w->f, p, w->force, pull, NULL, &room);
     ret->least = least_in(&room, p, NULL);
     ret->neutral = room.neutral;
@@ -233,7 +233,7 @@ static void give_out(const struct suspension *s, const struct balance *w, struct
 }
 
 /* From the place and forces in w, which are those of s free of dimension. */
-static enum status run(const struct suspension *s, enum hang_way way, struct balance *w, int held,
+static enum status run(const struct gear *s, enum hang_way way, struct balance *w, int held,
                        struct hang *ret)
 {
     struct potential p;
@@ -249,18 +249,18 @@ static enum status run(const struct suspension *s, enum hang_way way, struct bal
 }
 
 /* w at the pose (bodies; NULL: as drawn) of s. */
-static enum status begin(const struct suspension *s, const struct pose *pose, int held,
-                         struct suspension *unit, struct balance *w)
+static enum status begin(const struct gear *s, const struct pose *pose, int held, struct gear *unit,
+                         struct balance *w)
 {
     double length, weight;
 
-    if (suspension_check(s) != SW_OK || (held >= 0 && !s->planar))
+    if (gear_check(s) != SW_OK || (held >= 0 && !s->planar))
         return SW_ADMISSIBLE;
-    suspension_scale(s, &length, &weight);
-    suspension_unit(s, unit);
+    gear_scale(s, &length, &weight);
+    gear_unit(s, unit);
     *w = (struct balance){.s = unit};
-    suspension_freedom(unit, held, &w->f);
-    suspension_drawn(unit, w->pose);
+    gear_freedom(unit, held, &w->f);
+    gear_drawn(unit, w->pose);
     for (int k = 0; k < s->slings; k++)
         if (!balance_rigid(s, k))
             w->noise = fmax(w->noise, DBL_EPSILON * unit->sling[k].EA / unit->sling[k].length);
@@ -272,10 +272,10 @@ static enum status begin(const struct suspension *s, const struct pose *pose, in
     return SW_OK;
 }
 
-enum status hang(const struct suspension *s, enum hang_way way, const struct pose *start, int held,
+enum status hang(const struct gear *s, enum hang_way way, const struct pose *start, int held,
                  struct hang *ret)
 {
-    struct suspension unit;
+    struct gear unit;
     struct balance w;
     enum status status = begin(s, start, held, &unit, &w);
 
@@ -285,17 +285,17 @@ enum status hang(const struct suspension *s, enum hang_way way, const struct pos
     return run(s, way, &w, held, ret);
 }
 
-enum status hang_on(const struct suspension *s, enum hang_way way, const struct hang *before,
-                    int held, double angle, struct hang *ret)
+enum status hang_on(const struct gear *s, enum hang_way way, const struct hang *before, int held,
+                    double angle, struct hang *ret)
 {
-    struct suspension unit;
+    struct gear unit;
     struct balance w;
     double length, weight;
     enum status status = begin(s, before->pose, held, &unit, &w);
 
     if (status != SW_OK)
         return status;
-    suspension_scale(s, &length, &weight);
+    gear_scale(s, &length, &weight);
     for (int k = 0; k < s->slings; k++) {
         w.force[k] = balance_rigid(s, k) ? before->force[k] / weight : 0;
         w.active[k] = w.force[k] > 0;

@@ -13,7 +13,7 @@ static const double shortest = 1e-10;  /* step at which it is told to end */
 static const double jump = 0.3;        /* turn of another body that is no continuation */
 
 struct walk {
-    const struct suspension *s;
+    const struct gear *s;
     int body;
     double tilt; /* of the body, at h, counted on beyond half a turn */
     double sign; /* of the direction, if it keeps one */
@@ -58,9 +58,9 @@ static int walk_to(struct walk *w, double tilt)
     return 1;
 }
 
-static int admissible(const struct suspension *s, int body)
+static int admissible(const struct gear *s, int body)
 {
-    return suspension_check(s) == SW_OK && s->planar && body >= 0 && body < s->bodies;
+    return gear_check(s) == SW_OK && s->planar && body >= 0 && body < s->bodies;
 }
 
 static void tell(const struct walk *w, struct heel *ret)
@@ -74,7 +74,7 @@ static void tell(const struct walk *w, struct heel *ret)
         ret->others[b] = pose_tilted(w->h.pose + b);
 }
 
-enum status heel_path(const struct suspension *s, int body, const struct pose *start, double first,
+enum status heel_path(const struct gear *s, int body, const struct pose *start, double first,
                       double last, int n, struct heel *ret, int *ret_n)
 {
     struct walk w = {.s = s, .body = body};
@@ -176,7 +176,7 @@ static int walk_range(struct walk *w, double limit, struct walk *top, struct hee
     return 1;
 }
 
-enum status heel_range(const struct suspension *s, int body, const struct hang *h, double limit,
+enum status heel_range(const struct gear *s, int body, const struct hang *h, double limit,
                        struct heel_range *ret)
 {
     struct walk w = {.s = s, .body = body, .h = *h}, top;

@@ -10,12 +10,12 @@
 #include "phys/hang.h"
 
 struct heel {
-    double tilt;   /* of the body [rad], positive: its end at larger x went down */
-    double moment; /* that brings it back [N m], about -y */
-    double energy; /* against the beginning of the path [J] */
-    int slack;     /* slings without force */
-    int contacts;  /* edges that slings lean on */
-    double others[SUSPENSION_BODIES]; /* tilt of every body [rad] */
+    double tilt;                /* of the body [rad], positive: its end at larger x went down */
+    double moment;              /* that brings it back [N m], about -y */
+    double energy;              /* against the beginning of the path [J] */
+    int slack;                  /* slings without force */
+    int contacts;               /* edges that slings lean on */
+    double others[GEAR_BODIES]; /* tilt of every body [rad] */
 };
 
 enum heel_end {
@@ -38,7 +38,7 @@ struct heel_range {
  * going evenly from first to last [rad]; ret (n), *ret_n points are filled before the path folds.
  * SW_NOCONV: no equilibrium at start; SW_ADMISSIBLE: no planar suspension, no such body.
  */
-enum status heel_path(const struct suspension *s, int body, const struct pose *start, double first,
+enum status heel_path(const struct gear *s, int body, const struct pose *start, double first,
                       double last, int n, struct heel *ret, int *ret_n);
 
 /*
@@ -46,7 +46,7 @@ enum status heel_path(const struct suspension *s, int body, const struct pose *s
  * SW_INFEASIBLE: nothing rights it, h is not stable; SW_ADMISSIBLE: no planar suspension, no such
  * body.
  */
-enum status heel_range(const struct suspension *s, int body, const struct hang *h, double limit,
+enum status heel_range(const struct gear *s, int body, const struct hang *h, double limit,
                        struct heel_range *ret);
 
 #endif

@@ -33,7 +33,7 @@ const char *linkage_refused(const struct linkage *l)
     if (!(l->stretch_primary >= 0 && l->stretch_primary < 1 && l->stretch_secondary >= 0 &&
           l->stretch_secondary < 1))
         return "the stretch must lie in [0, 1)";
-    if (l->edges < 0 || l->edges > SUSPENSION_CORNERS)
+    if (l->edges < 0 || l->edges > GEAR_CORNERS)
         return "too many edges";
     for (int i = 0; i < l->edges; i++)
         if (!(l->half[i] > 0 && l->half[i] <= DBL_MAX && fabs(l->height[i]) <= DBL_MAX))
@@ -45,50 +45,49 @@ const char *linkage_refused(const struct linkage *l)
 static const double lightest = 1e-8;
 
 /* A body whose moment of inertia about y is that of the radius, or of a rod of the half length. */
-static int add_body(struct suspension *s, double mass, double x, double z, double radius,
-                    double half)
+static int add_body(struct gear *s, double mass, double x, double z, double radius, double half)
 {
     double I = mass * (radius > 0 ? radius * radius : half * half / 3);
 
-    return suspension_add_body(s, mass, (double[3]){x, 0, z},
-                               (const double[3][3]){{I, 0, 0}, {0, I, 0}, {0, 0, I}});
+    return gear_add_body(s, mass, (double[3]){x, 0, z},
+                         (const double[3][3]){{I, 0, 0}, {0, I, 0}, {0, 0, I}});
 }
 
 /* A pair of slings from the points a + side to b + side, each under the force as drawn. */
-static void add_pair(struct suspension *s, int a, int step, int b, double force, double stretch)
+static void add_pair(struct gear *s, int a, int step, int b, double force, double stretch)
 {
     double EA = stretch > 0 ? force * (1 - stretch) / stretch : INFINITY;
 
     for (int side = 0; side < 2; side++) {
-        int k = suspension_add_sling(s, a + side * step, b + side, 0, EA);
+        int k = gear_add_sling(s, a + side * step, b + side, 0, EA);
 
-        suspension_tighten(s, k, stretch);
+        gear_tighten(s, k, stretch);
     }
 }
 
 /* The slings k and k + 1 lean on the edges of the load, whose lifting points lie at the height z.
  */
 static enum status add_edges(const struct linkage *l, double z, double stretch, int k,
-                             struct suspension *ret)
+                             struct gear *ret)
 {
     enum status status = SW_OK;
 
     for (int side = 0; side < 2 && status == SW_OK && l->edges > 0; side++) {
-        double out = side ? 1 : -1, corner[SUSPENSION_CORNERS][3] = {{0}};
+        double out = side ? 1 : -1, corner[GEAR_CORNERS][3] = {{0}};
 
         for (int i = 0; i < l->edges; i++) {
             corner[i][0] = out * l->half[i];
             corner[i][2] = z + l->height[i];
         }
-        status = suspension_add_edges(ret, k + side, LINKAGE_LOAD, (double[3]){0, 1, 0},
-                                      (double[3]){out, 0, 0}, l->edges, (const double(*)[3])corner);
+        status = gear_add_edges(ret, k + side, LINKAGE_LOAD, (double[3]){0, 1, 0},
+                                (double[3]){out, 0, 0}, l->edges, (const double(*)[3])corner);
         if (status == SW_OK)
-            suspension_tighten(ret, k + side, stretch);
+            gear_tighten(ret, k + side, stretch);
     }
     return status;
 }
 
-enum status linkage_suspension(const struct linkage *l, struct suspension *ret)
+enum status linkage_gear(const struct linkage *l, struct gear *ret)
 {
     double d, b, z, weight, total;
     int hook, load, spreader;
@@ -100,18 +99,18 @@ enum status linkage_suspension(const struct linkage *l, struct suspension *ret)
     z = -l->v - l->s;
     weight = l->m_load * l->g;
     total = weight + (l->s > 0 ? l->m_spreader * l->g : 0);
-    *ret = (struct suspension){.planar = 1, .g = l->g};
+    *ret = (struct gear){.planar = 1, .g = l->g};
     add_body(ret, l->m_load, l->offset, z + l->z, l->radius_load, b);
-    hook = suspension_add_point(ret, SUSPENSION_HOOK, 0, 0, 0);
-    load = suspension_add_point(ret, LINKAGE_LOAD, -b, 0, z);
-    suspension_add_point(ret, LINKAGE_LOAD, b, 0, z);
+    hook = gear_add_point(ret, GEAR_HOOK, 0, 0, 0);
+    load = gear_add_point(ret, LINKAGE_LOAD, -b, 0, z);
+    gear_add_point(ret, LINKAGE_LOAD, b, 0, z);
     if (l->s == 0) {
         add_pair(ret, hook, 0, load, total / (2 * cos(l->phi)), l->stretch_primary);
         return add_edges(l, z, l->stretch_primary, LINKAGE_LEFT, ret);
     }
     add_body(ret, fmax(l->m_spreader, lightest * l->m_load), 0, -l->v, l->radius_spreader, d);
-    spreader = suspension_add_point(ret, LINKAGE_SPREADER, -d, 0, -l->v);
-    suspension_add_point(ret, LINKAGE_SPREADER, d, 0, -l->v);
+    spreader = gear_add_point(ret, LINKAGE_SPREADER, -d, 0, -l->v);
+    gear_add_point(ret, LINKAGE_SPREADER, d, 0, -l->v);
     add_pair(ret, hook, 0, spreader, total / (2 * cos(l->phi)), l->stretch_primary);
     add_pair(ret, spreader, 1, load, weight / (2 * cos(l->gamma)), l->stretch_secondary);
     return add_edges(l, z, l->stretch_secondary, LINKAGE_SECOND_LEFT, ret);

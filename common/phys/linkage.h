@@ -8,7 +8,7 @@
 #ifndef SEILWERK_PHYS_LINKAGE_H
 #define SEILWERK_PHYS_LINKAGE_H
 
-#include "phys/suspension.h"
+#include "phys/gear.h"
 
 struct linkage {
     double v, s, z;    /* heights [m]; s = 0: no spreader, slings from the hook to the load */
@@ -34,6 +34,6 @@ enum { LINKAGE_LEFT, LINKAGE_RIGHT, LINKAGE_SECOND_LEFT, LINKAGE_SECOND_RIGHT };
 const char *linkage_refused(const struct linkage *l);
 
 /* SW_ADMISSIBLE if it is refused. */
-enum status linkage_suspension(const struct linkage *l, struct suspension *ret);
+enum status linkage_gear(const struct linkage *l, struct gear *ret);
 
 #endif

@@ -10,7 +10,7 @@ static const double first = 1.0 / 16; /* share of the shift */
 static const double shortest = 1e-12;
 static const double jump = 0.1; /* change of a direction in one step that is no continuation */
 
-static int jumped(const struct suspension *s, const struct hang *a, const struct hang *b)
+static int jumped(const struct gear *s, const struct hang *a, const struct hang *b)
 {
     double most = 0;
 
@@ -21,7 +21,7 @@ static int jumped(const struct suspension *s, const struct hang *a, const struct
 }
 
 /* s and h with the centre of gravity of body at cg, everything else of h left where it was. */
-static void move(struct suspension *s, int body, const double cg[3], struct hang *h)
+static void move(struct gear *s, int body, const double cg[3], struct hang *h)
 {
     double now[3];
 
@@ -30,19 +30,18 @@ static void move(struct suspension *s, int body, const double cg[3], struct hang
     memcpy(h->pose[body].r, now, sizeof now);
 }
 
-enum status offset_shift(struct suspension *s, int body, const double shift[3], struct hang *h,
+enum status offset_shift(struct gear *s, int body, const double shift[3], struct hang *h,
                          double *ret_share)
 {
     double from[3], step = first;
 
     *ret_share = 0;
-    if (suspension_check(s) != SW_OK || body < 0 || body >= s->bodies ||
-        !(dot(shift, shift) <= DBL_MAX))
+    if (gear_check(s) != SW_OK || body < 0 || body >= s->bodies || !(dot(shift, shift) <= DBL_MAX))
         return SW_ADMISSIBLE;
     memcpy(from, s->body[body].cg, sizeof from);
     while (*ret_share < 1) {
         double share = fmin(1, *ret_share + step), cg[3];
-        struct suspension next = *s;
+        struct gear next = *s;
         struct hang start = *h, there;
 
         for (int i = 0; i < 3; i++)

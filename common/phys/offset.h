@@ -16,7 +16,7 @@
  * of the shift at which stability is lost; s and h are those just before. SW_INFEASIBLE: it is lost
  * on the way; SW_ADMISSIBLE: no such body, no finite shift.
  */
-enum status offset_shift(struct suspension *s, int body, const double shift[3], struct hang *h,
+enum status offset_shift(struct gear *s, int body, const double shift[3], struct hang *h,
                          double *ret_share);
 
 #endif

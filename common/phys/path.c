@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { COLUMNS = SUSPENSION_FREE + SUSPENSION_CORNERS };
+enum { COLUMNS = GEAR_FREE + GEAR_CORNERS };
 
 /* A corner so little in the way (of the square of the path) that it is touched, no more. */
 static const double touch = 1e-13;
@@ -46,10 +46,10 @@ static double seen(const double edge[3], const double a[3], const double b[3])
 }
 
 /* Hull from the end to the other by turning outwards as far as any later corner asks for. */
-static void wrap(const struct suspension *s, const struct pose *pose, const struct tie *t,
+static void wrap(const struct gear *s, const struct pose *pose, const struct tie *t,
                  const double to[3], struct path *ret)
 {
-    double corner[SUSPENSION_CORNERS][3], *p = ret->x[0], reach = 0;
+    double corner[GEAR_CORNERS][3], *p = ret->x[0], reach = 0;
     int last = -1;
 
     for (int c = 0; c < t->corners; c++) {
@@ -95,7 +95,7 @@ static void slide(const struct pose *pose, struct path *p)
     }
 }
 
-void path_lay(const struct suspension *s, const struct pose *pose, int k, struct path *ret)
+void path_lay(const struct gear *s, const struct pose *pose, int k, struct path *ret)
 {
     const struct tie *t = s->sling + k;
     const struct hitch *a = s->point + t->from, *b = s->point + t->to;

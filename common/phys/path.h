@@ -8,13 +8,13 @@
 #ifndef SEILWERK_PHYS_PATH_H
 #define SEILWERK_PHYS_PATH_H
 
-#include "phys/suspension.h"
+#include "phys/gear.h"
 
-enum { PATH_POINTS = SUSPENSION_CORNERS + 2 };
+enum { PATH_POINTS = GEAR_CORNERS + 2 };
 
 struct path {
     int n;                       /* points: ends and corners that are touched */
-    int body[PATH_POINTS];       /* of each, or SUSPENSION_HOOK */
+    int body[PATH_POINTS];       /* of each, or GEAR_HOOK */
     int corner[PATH_POINTS];     /* which corner, -1 for an end */
     double x[PATH_POINTS][3];    /* their places in space */
     double arm[PATH_POINTS][3];  /* from the centre of gravity of their body */
@@ -24,7 +24,7 @@ struct path {
 };
 
 /* Sling k of s in the pose (bodies). */
-void path_lay(const struct suspension *s, const struct pose *pose, int k, struct path *ret);
+void path_lay(const struct gear *s, const struct pose *pose, int k, struct path *ret);
 
 /* g (f->n) = gradient of the length over the free motions. */
 void path_gradient(const struct path *p, const struct freedom *f, double *g);

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-void potential_laws(const struct suspension *s, const double *force, struct sling_law *law)
+void potential_laws(const struct gear *s, const double *force, struct sling_law *law)
 {
     for (int k = 0; k < s->slings; k++)
         law[k] = isinf(s->sling[k].EA) ? (struct sling_law){force[k], 0}
@@ -25,7 +25,7 @@ static double energy_of(const struct sling_law *law, double stretch)
     return law->stiffness > 0 ? T * T / (2 * law->stiffness) : T * stretch;
 }
 
-static double weight(const struct suspension *s, const struct pose *pose)
+static double weight(const struct gear *s, const struct pose *pose)
 {
     double sum = 0;
 
@@ -34,8 +34,7 @@ static double weight(const struct suspension *s, const struct pose *pose)
     return sum;
 }
 
-double potential_energy(const struct suspension *s, const struct pose *pose,
-                        const struct sling_law *law)
+double potential_energy(const struct gear *s, const struct pose *pose, const struct sling_law *law)
 {
     double sum = weight(s, pose);
 
@@ -49,7 +48,7 @@ double potential_energy(const struct suspension *s, const struct pose *pose,
 }
 
 /* One sling: its energy, T grad L, and T L'' + stiffness grad L grad L^T where it is taut. */
-static void add_sling(const struct suspension *s, const struct pose *pose, const struct freedom *f,
+static void add_sling(const struct gear *s, const struct pose *pose, const struct freedom *f,
                       const struct sling_law *law, int k, struct potential *ret)
 {
     double *J = ret->J + k * f->n, stretch, T;
@@ -73,7 +72,7 @@ static void add_sling(const struct suspension *s, const struct pose *pose, const
             ret->H[i + j * f->n] += law->stiffness * J[i] * J[j];
 }
 
-void potential_at(const struct suspension *s, const struct pose *pose, const struct freedom *f,
+void potential_at(const struct gear *s, const struct pose *pose, const struct freedom *f,
                   const struct sling_law *law, struct potential *ret)
 {
     ret->n = f->n;

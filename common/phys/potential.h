@@ -10,7 +10,7 @@
 #ifndef SEILWERK_PHYS_POTENTIAL_H
 #define SEILWERK_PHYS_POTENTIAL_H
 
-#include "phys/suspension.h"
+#include "phys/gear.h"
 
 struct sling_law {
     double before, stiffness;
@@ -19,23 +19,22 @@ struct sling_law {
 struct potential {
     int n; /* free motions */
     double energy;
-    double gradient[SUSPENSION_FREE];            /* (n) */
-    double H[SUSPENSION_FREE * SUSPENSION_FREE]; /* (n, n) */
-    double length[SUSPENSION_SLINGS];            /* of the path */
-    double force[SUSPENSION_SLINGS];
-    int contacts[SUSPENSION_SLINGS];               /* corners touched */
-    double J[SUSPENSION_FREE * SUSPENSION_SLINGS]; /* (n, slings): gradients of the lengths */
+    double gradient[GEAR_FREE];      /* (n) */
+    double H[GEAR_FREE * GEAR_FREE]; /* (n, n) */
+    double length[GEAR_SLINGS];      /* of the path */
+    double force[GEAR_SLINGS];
+    int contacts[GEAR_SLINGS];         /* corners touched */
+    double J[GEAR_FREE * GEAR_SLINGS]; /* (n, slings): gradients of the lengths */
 };
 
 /* The laws of the elastic slings; rigid ones get the forces given, force (slings), no stiffness. */
-void potential_laws(const struct suspension *s, const double *force, struct sling_law *law);
+void potential_laws(const struct gear *s, const double *force, struct sling_law *law);
 
 /* Everything at the pose; law (slings).  Weight counts from z = 0. */
-void potential_at(const struct suspension *s, const struct pose *pose, const struct freedom *f,
+void potential_at(const struct gear *s, const struct pose *pose, const struct freedom *f,
                   const struct sling_law *law, struct potential *ret);
 
 /* The energy alone. */
-double potential_energy(const struct suspension *s, const struct pose *pose,
-                        const struct sling_law *law);
+double potential_energy(const struct gear *s, const struct pose *pose, const struct sling_law *law);
 
 #endif

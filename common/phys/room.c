@@ -9,7 +9,7 @@
 /* Points nearer than this to a line, of the greatest distance, lie on it. */
 static const double aligned = 1e-10;
 
-static int used(const struct suspension *s, int point)
+static int used(const struct gear *s, int point)
 {
     for (int k = 0; k < s->slings; k++)
         if (s->sling[k].from == point || s->sling[k].to == point)
@@ -18,7 +18,7 @@ static int used(const struct suspension *s, int point)
 }
 
 /* The vertical through all hooks goes through x, y of ret; 0: there is none. */
-static int hooks_line(const struct suspension *s, double length, double ret[3])
+static int hooks_line(const struct gear *s, double length, double ret[3])
 {
     int found = 0;
 
@@ -38,7 +38,7 @@ static int hooks_line(const struct suspension *s, double length, double ret[3])
 
 /* Unit direction, as drawn, of the line through the centre of gravity of b and all its points; 0:
  * there is none. */
-static int points_line(const struct suspension *s, int b, double length, double ret[3])
+static int points_line(const struct gear *s, int b, double length, double ret[3])
 {
     double most = 0;
 
@@ -74,15 +74,14 @@ static void yaw(const struct pose *pose, const struct freedom *f, const double x
     }
 }
 
-int room_neutral(const struct suspension *s, const struct pose *pose, const struct freedom *f,
-                 double *T)
+int room_neutral(const struct gear *s, const struct pose *pose, const struct freedom *f, double *T)
 {
     double length, weight, x[3];
     int n = 0;
 
     if (s->planar)
         return 0;
-    suspension_scale(s, &length, &weight);
+    gear_scale(s, &length, &weight);
     if (hooks_line(s, length, x))
         yaw(pose, f, x, T + f->n * n++);
     for (int b = 0; b < s->bodies; b++) {
@@ -101,7 +100,7 @@ int room_neutral(const struct suspension *s, const struct pose *pose, const stru
 /* A t for a column t of length n, in place. */
 static void multiply(int n, const double *A, double *t)
 {
-    double y[SUSPENSION_FREE] = {0};
+    double y[GEAR_FREE] = {0};
 
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++)
@@ -110,7 +109,7 @@ static void multiply(int n, const double *A, double *t)
 }
 
 /* Gradients of the taut rigid slings' lengths as columns of A (n, ...), their number. */
-static int taut_slings(const struct suspension *s, const struct potential *p, const double *force,
+static int taut_slings(const struct gear *s, const struct potential *p, const double *force,
                        double least, double *A)
 {
     int taut = 0;
@@ -121,11 +120,11 @@ static int taut_slings(const struct suspension *s, const struct potential *p, co
     return taut;
 }
 
-void room_of(const struct suspension *s, const struct pose *pose, const struct freedom *f,
+void room_of(const struct gear *s, const struct pose *pose, const struct freedom *f,
              const struct potential *p, const double *force, double least, const double *metric,
              struct room *ret)
 {
-    double A[SUSPENSION_FREE * (SUSPENSION_SLINGS + SUSPENSION_BODIES + 1)];
+    double A[GEAR_FREE * (GEAR_SLINGS + GEAR_BODIES + 1)];
     int n = f->n, taut = taut_slings(s, p, force, least, A), rank, neutral;
 
     nullspace_of(n, taut, A, 1e-9, &ret->f);
@@ -145,7 +144,7 @@ void room_of(const struct suspension *s, const struct pose *pose, const struct f
 
 void room_project(const struct room *r, const double *A, double *ret)
 {
-    double AZ[SUSPENSION_FREE * SUSPENSION_FREE];
+    double AZ[GEAR_FREE * GEAR_FREE];
     int n = r->n, m = r->m;
 
     for (int j = 0; j < m; j++) {

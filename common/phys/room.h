@@ -18,7 +18,7 @@ struct room {
 
 /* force (slings): a rigid sling is taut where it is above least.  metric (n, n) or NULL for the
  * unit matrix: the room is orthogonal to metric times the neutral motions. */
-void room_of(const struct suspension *s, const struct pose *pose, const struct freedom *f,
+void room_of(const struct gear *s, const struct pose *pose, const struct freedom *f,
              const struct potential *p, const double *force, double least, const double *metric,
              struct room *ret);
 
@@ -30,7 +30,6 @@ void room_project(const struct room *r, const double *A, double *ret);
  * of everything about the one vertical line that holds all hooks costs nothing, nor does that of a
  * body about a line that holds its centre of gravity and all points where slings hold it.
  */
-int room_neutral(const struct suspension *s, const struct pose *pose, const struct freedom *f,
-                 double *T);
+int room_neutral(const struct gear *s, const struct pose *pose, const struct freedom *f, double *T);
 
 #endif

@@ -36,8 +36,8 @@ static void lift_inertia(double I[3][3], double least)
 }
 
 /* Mass matrix over the free motions, s free of dimension: the largest mass is of order 1. */
-static void mass_matrix(const struct suspension *s, const struct pose *pose,
-                        const struct freedom *f, double *M)
+static void mass_matrix(const struct gear *s, const struct pose *pose, const struct freedom *f,
+                        double *M)
 {
     double most = 0;
 
@@ -59,10 +59,10 @@ static void mass_matrix(const struct suspension *s, const struct pose *pose,
 }
 
 /* Shape of mode k from x (n), with its kinetic energies. */
-static void describe(const struct suspension *s, const struct freedom *f, const double *M,
+static void describe(const struct gear *s, const struct freedom *f, const double *M,
                      const double *x, int k, struct sway *ret)
 {
-    double part[SUSPENSION_BODIES][SWAY_KINDS] = {{0}}, most = -1, sum[SUSPENSION_BODIES] = {0};
+    double part[GEAR_BODIES][SWAY_KINDS] = {{0}}, most = -1, sum[GEAR_BODIES] = {0};
 
     memset(ret->shape[k], 0, sizeof ret->shape[k]);
     memset(ret->share[k], 0, sizeof ret->share[k]);
@@ -93,29 +93,29 @@ static void scale_shapes(double length, double mass, double g, struct sway *ret)
 {
     for (int k = 0; k < ret->n; k++) {
         ret->omega2[k] *= g / length;
-        for (int b = 0; b < SUSPENSION_BODIES; b++)
+        for (int b = 0; b < GEAR_BODIES; b++)
             for (int i = 0; i < 6; i++)
                 ret->shape[k][b][i] /= sqrt(mass) * (i < 3 ? 1 : length);
     }
 }
 
 /* K x = omega^2 M x in the room; the modes over the free motions are Z x. */
-enum status sway_of(const struct suspension *s, const struct hang *h, struct sway *ret)
+enum status sway_of(const struct gear *s, const struct hang *h, struct sway *ret)
 {
-    double M[SUSPENSION_FREE * SUSPENSION_FREE], K_Z[SUSPENSION_FREE * SUSPENSION_FREE];
-    double M_Z[SUSPENSION_FREE * SUSPENSION_FREE], X[SUSPENSION_FREE * SUSPENSION_FREE];
-    double force[SUSPENSION_SLINGS], length, weight;
-    struct pose pose[SUSPENSION_BODIES];
-    struct sling_law law[SUSPENSION_SLINGS];
-    struct suspension unit;
+    double M[GEAR_FREE * GEAR_FREE], K_Z[GEAR_FREE * GEAR_FREE];
+    double M_Z[GEAR_FREE * GEAR_FREE], X[GEAR_FREE * GEAR_FREE];
+    double force[GEAR_SLINGS], length, weight;
+    struct pose pose[GEAR_BODIES];
+    struct sling_law law[GEAR_SLINGS];
+    struct gear unit;
     struct freedom f;
     struct potential p;
     struct room room;
     enum status status;
 
-    suspension_scale(s, &length, &weight);
-    suspension_unit(s, &unit);
-    suspension_freedom(&unit, -1, &f);
+    gear_scale(s, &length, &weight);
+    gear_unit(s, &unit);
+    gear_freedom(&unit, -1, &f);
     for (int k = 0; k < s->slings; k++)
         force[k] = h->force[k] / weight;
     for (int b = 0; b < s->bodies; b++) {
@@ -133,7 +133,7 @@ enum status sway_of(const struct suspension *s, const struct hang *h, struct swa
     ret->neutral = room.neutral;
     status = jacobi_pencil(room.m, K_Z, M_Z, ret->omega2, X);
     for (int k = 0; k < room.m && status == SW_OK; k++) {
-        double x[SUSPENSION_FREE] = {0};
+        double x[GEAR_FREE] = {0};
 
         for (int i = 0; i < room.m; i++)
             for (int l = 0; l < f.n; l++)
@@ -155,8 +155,7 @@ const char *sway_words(enum sway_kind kind)
 
 /* Tilt = sum over the modes of shape (shape . moment)/omega^2, moment = weight of the load times
  * the offset; the signs of both turns cancel. */
-double sway_height(const struct suspension *s, const struct sway *m, int load, int tilted,
-                   int crosswise)
+double sway_height(const struct gear *s, const struct sway *m, int load, int tilted, int crosswise)
 {
     int turn = crosswise ? 3 : 4;
     double tilt = 0, length, weight;
@@ -164,6 +163,6 @@ double sway_height(const struct suspension *s, const struct sway *m, int load, i
     for (int k = 0; k < m->n; k++)
         tilt += m->shape[k][load][turn] * m->shape[k][tilted][turn] / m->omega2[k];
     tilt *= s->body[load].mass * s->g;
-    suspension_scale(s, &length, &weight);
+    gear_scale(s, &length, &weight);
     return fabs(tilt) * length > still ? 1 / tilt : INFINITY;
 }

@@ -18,14 +18,14 @@ enum sway_kind {
 
 /* Modes in the order of omega^2, which is negative where the equilibrium is unstable. */
 struct sway {
-    int n;                          /* modes */
-    int neutral;                    /* left out: they cost nothing, hang.h */
-    double omega2[SUSPENSION_FREE]; /* [1/s2] */
+    int n;                    /* modes */
+    int neutral;              /* left out: they cost nothing, hang.h */
+    double omega2[GEAR_FREE]; /* [1/s2] */
     /* Shifts of the centres of gravity and turns; sum of (mass, inertia) times squares = 1. */
-    double shape[SUSPENSION_FREE][SUSPENSION_BODIES][6];
-    double share[SUSPENSION_FREE][SWAY_KINDS]; /* of the kinetic energy, over all bodies */
-    int body[SUSPENSION_FREE];                 /* that has most of it */
-    enum sway_kind kind[SUSPENSION_FREE];      /* the largest share of that body's */
+    double shape[GEAR_FREE][GEAR_BODIES][6];
+    double share[GEAR_FREE][SWAY_KINDS]; /* of the kinetic energy, over all bodies */
+    int body[GEAR_FREE];                 /* that has most of it */
+    enum sway_kind kind[GEAR_FREE];      /* the largest share of that body's */
 };
 
 /*
@@ -33,7 +33,7 @@ struct sway {
  * 1e-6 of the largest one (times length^2) counts as that: signs do not depend on it.
  * SW_NOCONV.
  */
-enum status sway_of(const struct suspension *s, const struct hang *h, struct sway *ret);
+enum status sway_of(const struct gear *s, const struct hang *h, struct sway *ret);
 
 /* "tilt lengthwise", "swing crosswise", "heave", "yaw", ... */
 const char *sway_words(enum sway_kind kind);
@@ -44,7 +44,6 @@ const char *sway_words(enum sway_kind kind);
  * Negative or zero: not stable.  INFINITY where nothing tilts.  Exact: the formulas for h are this
  * with the spreader as tilted (primary-secondary) or the load (elastic primary).
  */
-double sway_height(const struct suspension *s, const struct sway *m, int load, int tilted,
-                   int crosswise);
+double sway_height(const struct gear *s, const struct sway *m, int load, int tilted, int crosswise);
 
 #endif

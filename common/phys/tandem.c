@@ -65,7 +65,7 @@ static void extent(const struct tandem *t, double ret[2])
     ret[1] = apart[1] + (t->slings == 4 ? t->base_cross : 0);
 }
 
-static void add_load(const struct tandem *t, struct suspension *s)
+static void add_load(const struct tandem *t, struct gear *s)
 {
     double cg[3] = {t->offset[0], t->offset[1], -t->v - (t->spreaders ? t->s : 0) + t->z}, half[2];
     double I[3][3], sum = 0;
@@ -79,55 +79,55 @@ static void add_load(const struct tandem *t, struct suspension *s)
     extent(t, half);
     if (sum == 0)
         box(t->m_load, half[0], half[1], fmax(fabs(t->z), half[0] / 4), I);
-    suspension_add_body(s, t->m_load, cg, (const double(*)[3])I);
+    gear_add_body(s, t->m_load, cg, (const double(*)[3])I);
 }
 
 /* Of the load's mass, as in linkage.c. */
 static const double lightest = 1e-8;
 
-static void add_spreader(const struct tandem *t, int hook, struct suspension *s)
+static void add_spreader(const struct tandem *t, int hook, struct gear *s)
 {
     double I[3][3] = {{0}}, thin = t->spreader_half / 50;
     double mass = fmax(t->m_spreader, lightest * t->m_load);
 
     box(mass, t->spreader_half, t->slings == 4 ? t->spreader_cross : thin, thin, I);
-    suspension_add_body(s, mass, (const double[3]){t->hook[hook][0], t->hook[hook][1], -t->v},
-                        (const double(*)[3])I);
+    gear_add_body(s, mass, (const double[3]){t->hook[hook][0], t->hook[hook][1], -t->v},
+                  (const double(*)[3])I);
 }
 
 /* The points of one body below a hook; the number of the first. */
 static int add_points(const struct tandem *t, int hook, int body, double half, double cross,
-                      double z, struct suspension *s)
+                      double z, struct gear *s)
 {
     int first = s->points;
 
     for (int i = 0; i < t->slings; i++)
-        suspension_add_point(s, body, t->hook[hook][0] + (i % 2 ? half : -half),
-                             t->hook[hook][1] + (t->slings == 2 ? 0
-                                                 : i / 2        ? cross
-                                                                : -cross),
-                             z);
+        gear_add_point(s, body, t->hook[hook][0] + (i % 2 ? half : -half),
+                       t->hook[hook][1] + (t->slings == 2 ? 0
+                                           : i / 2        ? cross
+                                                          : -cross),
+                       z);
     return first;
 }
 
 /* Slings from points a (all the same or one each) to the points from b on, drawn under a share of
  * the weight on one hook. */
 static void add_slings(const struct tandem *t, int a, int each, int b, double weight,
-                       double stretch, struct suspension *s)
+                       double stretch, struct gear *s)
 {
     for (int i = 0; i < t->slings; i++) {
-        int k = suspension_add_sling(s, a + (each ? i : 0), b + i, 0, INFINITY);
+        int k = gear_add_sling(s, a + (each ? i : 0), b + i, 0, INFINITY);
         double drop = s->point[a].at[2] - s->point[b].at[2];
         double force = weight / t->slings * s->sling[k].length / drop;
 
         if (stretch > 0) {
             s->sling[k].EA = force * (1 - stretch) / stretch;
-            suspension_tighten(s, k, stretch);
+            gear_tighten(s, k, stretch);
         }
     }
 }
 
-enum status tandem_suspension(const struct tandem *t, struct suspension *ret)
+enum status tandem_gear(const struct tandem *t, struct gear *ret)
 {
     double load, z;
     int upper[2];
@@ -136,10 +136,10 @@ enum status tandem_suspension(const struct tandem *t, struct suspension *ret)
         return SW_ADMISSIBLE;
     load = t->m_load * t->g / t->hooks;
     z = -t->v - (t->spreaders ? t->s : 0);
-    *ret = (struct suspension){.g = t->g};
+    *ret = (struct gear){.g = t->g};
     add_load(t, ret);
     for (int i = 0; i < t->hooks; i++) {
-        int hook = suspension_add_point(ret, SUSPENSION_HOOK, t->hook[i][0], t->hook[i][1], 0);
+        int hook = gear_add_point(ret, GEAR_HOOK, t->hook[i][0], t->hook[i][1], 0);
 
         if (t->spreaders) {
             add_spreader(t, i, ret);

@@ -8,7 +8,7 @@
 #ifndef SEILWERK_PHYS_TANDEM_H
 #define SEILWERK_PHYS_TANDEM_H
 
-#include "phys/suspension.h"
+#include "phys/gear.h"
 
 struct tandem {
     int hooks;         /* 1 or 2 */
@@ -35,6 +35,6 @@ const char *tandem_refused(const struct tandem *t);
 
 /* Slings: the primary ones hook by hook, those of a hook at (-, -), (+, -), (-, +), (+, +) of x and
  * y, or at -, + of x; then the secondary ones in the same order.  SW_ADMISSIBLE if refused. */
-enum status tandem_suspension(const struct tandem *t, struct suspension *ret);
+enum status tandem_gear(const struct tandem *t, struct gear *ret);
 
 #endif

@@ -18,7 +18,7 @@ static void primary_only(void **state)
         h = l.v - l.z;
         for (int i = 0; i <= 20; i++) {
             double delta = (i - 10) / 10.0 * (low ? 30 : 19) * DEGREES, tilt = fabs(delta);
-            struct suspension s;
+            struct gear s;
             struct hang is;
 
             l.offset = h * tan(delta);
@@ -38,14 +38,14 @@ static void primary_only(void **state)
     }
 }
 
-static void random_start(uint64_t *seed, const struct suspension *s, double size, struct pose *pose)
+static void random_start(uint64_t *seed, const struct gear *s, double size, struct pose *pose)
 {
-    double q[SUSPENSION_FREE], length, weight;
+    double q[GEAR_FREE], length, weight;
     struct freedom f;
 
-    suspension_freedom(s, -1, &f);
-    suspension_drawn(s, pose);
-    suspension_scale(s, &length, &weight);
+    gear_freedom(s, -1, &f);
+    gear_drawn(s, pose);
+    gear_scale(s, &length, &weight);
     for (int i = 0; i < f.n; i++)
         q[i] = uniform_in(seed, -1, 1) * size * (f.axis[i] < 3 ? 0.5 * length : 1.5);
     pose_move(&f, q, pose);
@@ -82,8 +82,8 @@ static void any_start(void **state)
     (void)state;
 
     for (int i = 0; i < 800; i++) {
-        struct suspension s;
-        struct pose start[SUSPENSION_BODIES];
+        struct gear s;
+        struct pose start[GEAR_BODIES];
         struct hang h;
 
         if (i % 2) {
@@ -116,7 +116,7 @@ static void near_and_down(void **state)
 
     for (int i = 0; i < 200; i++) {
         struct tandem t = random_tandem(&seed, i);
-        struct suspension s;
+        struct gear s;
         struct hang h, g;
 
         t.offset[0] *= 0.1 * t.base_half;
@@ -141,9 +141,9 @@ static void turn_point(double angle, double x[3])
 }
 
 /* Everything turned about the vertical axis. */
-static struct suspension turned(const struct suspension *s, double angle)
+static struct gear turned(const struct gear *s, double angle)
 {
-    struct suspension r = *s;
+    struct gear r = *s;
     double c = cos(angle), d = sin(angle), R[3][3] = {{c, -d, 0}, {d, c, 0}, {0, 0, 1}};
 
     for (int p = 0; p < s->points; p++)
@@ -162,9 +162,9 @@ static struct suspension turned(const struct suspension *s, double angle)
 }
 
 /* Millimetres, tonnes: lengths by a, masses by m, times as they are. */
-static struct suspension in_units(const struct suspension *s, double a, double m)
+static struct gear in_units(const struct gear *s, double a, double m)
 {
-    struct suspension r = *s;
+    struct gear r = *s;
 
     r.g *= a;
     for (int p = 0; p < s->points; p++)
@@ -185,7 +185,7 @@ static struct suspension in_units(const struct suspension *s, double a, double m
     return r;
 }
 
-static void same(const struct suspension *s, const struct suspension *r, double force)
+static void same(const struct gear *s, const struct gear *r, double force)
 {
     struct hang h = hung(s, HANG_DOWN), g = hung(r, HANG_DOWN);
     struct sway m, n;
@@ -206,7 +206,7 @@ static void turns_and_units(void **state)
 
     for (int i = 0; i < 32; i++) {
         struct tandem t = random_tandem(&seed, i);
-        struct suspension s, r;
+        struct gear s, r;
 
         t.z = -fabs(t.z);
         s = suspended_tandem(&t);
@@ -225,7 +225,7 @@ static void crossed_over(void **state)
 
     for (int i = 0; i < 16; i++) {
         struct tandem t = random_tandem(&seed, i);
-        struct suspension s;
+        struct gear s;
         struct hang h, g;
 
         t.z = -fabs(t.z);
@@ -243,15 +243,15 @@ static void crossed_over(void **state)
 static void upright_by_contact(void **state)
 {
     struct linkage l = leaning(-0.2, 0);
-    struct suspension s = suspended_linkage(&l);
+    struct gear s = suspended_linkage(&l);
     struct hang h = hung(&s, HANG_NEAR);
     (void)state;
 
     assert_true(h.least < 0);
     for (double tilt = 0; tilt < 0.1; tilt += 0.03) { /* and comes back to it */
-        struct pose start[SUSPENSION_BODIES];
+        struct pose start[GEAR_BODIES];
 
-        suspension_drawn(&s, start);
+        gear_drawn(&s, start);
         pose_tilt(start + LINKAGE_LOAD, tilt);
         pose_tilt(start + LINKAGE_SPREADER, tilt);
         assert_int_equal(hang(&s, HANG_DOWN, start, -1, &h), SW_OK);
@@ -260,9 +260,9 @@ static void upright_by_contact(void **state)
         near_abs(pose_tilted(h.pose + LINKAGE_SPREADER), 0, 1e-9);
     }
     for (double fall = 0.5; fall < 3; fall += 0.5) { /* or falls into it */
-        struct pose start[SUSPENSION_BODIES];
+        struct pose start[GEAR_BODIES];
 
-        suspension_drawn(&s, start);
+        gear_drawn(&s, start);
         start[LINKAGE_LOAD].r[2] += fall;
         assert_int_equal(hang(&s, HANG_DOWN, start, -1, &h), SW_OK);
         assert_int_equal(h.by_contact, 1);
@@ -282,7 +282,7 @@ static void leans_on_an_edge(void **state)
 
     for (double gap = 0.01; gap < 0.3; gap *= 2) {
         struct linkage l = leaning(-0.2, gap);
-        struct suspension s = suspended_linkage(&l);
+        struct gear s = suspended_linkage(&l);
         struct hang h = hung(&s, HANG_DOWN);
         double tilt = fabs(pose_tilted(h.pose)), touch = atan(gap / 3);
 
@@ -306,13 +306,13 @@ static void no_numbers(void **state)
     for (int way = HANG_NEAR; way <= HANG_DOWN; way++)
         for (int elastic = 0; elastic < 2; elastic++) {
             struct linkage l = inclined;
-            struct suspension s;
-            struct pose start[SUSPENSION_BODIES];
+            struct gear s;
+            struct pose start[GEAR_BODIES];
             struct hang h;
 
             l.stretch_primary = l.stretch_secondary = elastic ? 0.01 : 0;
             s = suspended_linkage(&l);
-            suspension_drawn(&s, start);
+            gear_drawn(&s, start);
             start[0].r[0] = NAN;
             assert_int_not_equal(hang(&s, (enum hang_way)way, start, -1, &h), SW_OK);
         }
@@ -322,12 +322,12 @@ static void no_numbers(void **state)
 static void held(void **state)
 {
     struct linkage l = {.v = 5, .z = 2, .phi = 20 * DEGREES, .m_load = 1000, .g = 9.81};
-    struct suspension s = suspended_linkage(&l);
-    struct pose start[SUSPENSION_BODIES];
+    struct gear s = suspended_linkage(&l);
+    struct pose start[GEAR_BODIES];
     struct hang h;
     (void)state;
 
-    suspension_drawn(&s, start);
+    gear_drawn(&s, start);
     pose_tilt(start, 0.25);
     assert_int_equal(hang(&s, HANG_DOWN, start, 0, &h), SW_OK);
     near_rel(pose_tilted(h.pose), 0.25, 1e-14);

@@ -38,7 +38,7 @@ static void closed_range(void **state)
     for (int i = 0; i < 5; i++) {
         struct linkage l = primary;
         double b = l.v * tan(l.phi), tilt, end;
-        struct suspension s;
+        struct gear s;
         struct hang h;
         struct heel_range r;
 
@@ -64,7 +64,7 @@ static void narrow_range(void **state)
     (void)state;
 
     for (l.phi = 0.5 * DEGREES; l.phi > 0.01 * DEGREES; l.phi /= 5) {
-        struct suspension s;
+        struct gear s;
         struct hang h;
         struct heel_range r;
 
@@ -82,7 +82,7 @@ static void narrow_range(void **state)
 
 static void closed_path(void **state)
 {
-    struct suspension s = suspended_linkage(&primary);
+    struct gear s = suspended_linkage(&primary);
     struct heel p[61];
     int n;
     (void)state;
@@ -109,7 +109,7 @@ static void printed_moment(void **state)
 
     for (int i = 0; i < 20; i++) {
         double delta = i * DEGREES, M, arm, a[3], b[3];
-        struct suspension s;
+        struct gear s;
         struct hang is;
 
         l.offset = h * tan(delta);
@@ -129,7 +129,7 @@ static void printed_moment(void **state)
 /* The moment is the slope of the energy, and begins with weight times h/r times the tilt. */
 static void slope_of_energy(void **state)
 {
-    struct suspension s = suspended_linkage(&inclined);
+    struct gear s = suspended_linkage(&inclined);
     struct formula f = formula_of(&inclined);
     struct heel p[401];
     int n;
@@ -155,7 +155,7 @@ static void capsizing(void **state)
 
     for (int i = 0; i < 100; i++) {
         struct linkage l = random_linkage(&seed);
-        struct suspension s = suspended_linkage(&l);
+        struct gear s = suspended_linkage(&l);
         struct heel_range r, left;
         struct hang h = hung(&s, HANG_NEAR);
         enum status status = heel_range(&s, LINKAGE_LOAD, &h, PI, &r);
@@ -190,7 +190,7 @@ static void capsizing(void **state)
 static void edges_hold(void **state)
 {
     struct linkage l = inclined;
-    struct suspension bare = suspended_linkage(&l), s;
+    struct gear bare = suspended_linkage(&l), s;
     struct heel p[41], q[41];
     int n, m, touched = 0;
     (void)state;
@@ -217,7 +217,7 @@ static void edges_hold(void **state)
 static void held_by_edges(void **state)
 {
     struct linkage l = leaning(-0.2, 0);
-    struct suspension s = suspended_linkage(&l);
+    struct gear s = suspended_linkage(&l);
     struct hang h = hung(&s, HANG_DOWN);
     struct heel_range right, left;
     (void)state;
@@ -235,7 +235,7 @@ static void held_by_edges(void **state)
 
 static void refusals(void **state)
 {
-    struct suspension s = suspended_linkage(&inclined);
+    struct gear s = suspended_linkage(&inclined);
     struct hang h = hung(&s, HANG_DOWN);
     struct heel_range r;
     struct heel p;

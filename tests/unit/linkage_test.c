@@ -10,7 +10,7 @@ enum { MANY = 10000 };
 static double least_of(double z, void *context)
 {
     struct linkage l = *(const struct linkage *)context;
-    struct suspension s;
+    struct gear s;
     struct hang h;
 
     l.z = z;
@@ -48,7 +48,7 @@ static void heights(void **state)
     for (int i = 0; i < MANY; i++) {
         struct linkage l = random_linkage(&seed);
         struct formula f = formula_of(&l);
-        struct suspension s = suspended_linkage(&l);
+        struct gear s = suspended_linkage(&l);
         struct hang h = hung(&s, HANG_NEAR);
         double size = fabs(f.c * l.s) + l.v + l.s + fabs(l.z) * f.r;
         double slack = l.m_spreader > 0 ? 1e-9 : 1e-7; /* without mass it has 1e-8 of the load's */
@@ -68,7 +68,7 @@ static double finite_height(const struct linkage *upright, int body, double tilt
 {
     struct formula f = formula_of(upright);
     struct linkage l = *upright;
-    struct suspension s;
+    struct gear s;
     struct hang h;
 
     l.offset = f.h * tilt / fmax(1, f.r);
@@ -106,7 +106,7 @@ static void second_order(void **state)
 static void published(void **state)
 {
     struct linkage l = inclined;
-    struct suspension s = suspended_linkage(&l);
+    struct gear s = suspended_linkage(&l);
     struct hang h = hung(&s, HANG_NEAR);
     struct sway m;
     (void)state;
@@ -136,7 +136,7 @@ static void published(void **state)
 static void symmetry(void **state)
 {
     struct linkage l = inclined;
-    struct suspension s = suspended_linkage(&l);
+    struct gear s = suspended_linkage(&l);
     struct hang h = hung(&s, HANG_DOWN), other;
     (void)state;
 
@@ -171,7 +171,7 @@ static void elastic(void **state)
     for (int i = 0; i < 200; i++) {
         struct linkage l = random_linkage(&seed);
         double eps = log_uniform(&seed, 1e-3, 0.05), b = 2 * l.v * tan(l.phi);
-        struct suspension s;
+        struct gear s;
         struct hang h;
         struct sway m;
 
@@ -197,7 +197,7 @@ static void elastic(void **state)
 static void refusals(void **state)
 {
     struct linkage good = inclined, bad;
-    struct suspension s;
+    struct gear s;
     (void)state;
 
     assert_null(linkage_refused(&good));
@@ -205,7 +205,7 @@ static void refusals(void **state)
     bad = good;                                                                                    \
     bad.field = (value);                                                                           \
     assert_non_null(linkage_refused(&bad));                                                        \
-    assert_int_equal(linkage_suspension(&bad, &s), SW_ADMISSIBLE)
+    assert_int_equal(linkage_gear(&bad, &s), SW_ADMISSIBLE)
     REFUSED(v, 0);
     REFUSED(v, NAN);
     REFUSED(s, -1);

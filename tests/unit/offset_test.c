@@ -13,7 +13,7 @@ static void closed_form(void **state)
 
     for (int side = -1; side <= 1; side += 2)
         for (double e = 0.1; e < 2; e += 0.1) {
-            struct suspension s = suspended_linkage(&l);
+            struct gear s = suspended_linkage(&l);
             struct hang is = hung(&s, HANG_NEAR);
             double share;
             enum status status =
@@ -37,7 +37,7 @@ static void continues(void **state)
         struct linkage l = random_linkage(&seed);
         struct formula f = formula_of(&l);
         double tilt = uniform_in(&seed, 0.001, 0.05), share;
-        struct suspension s, drawn;
+        struct gear s, drawn;
         struct hang h, other;
 
         if (!(f.h > 0.05 * l.v))
@@ -67,7 +67,7 @@ static void in_space(void **state)
                        .m_load = 1000,
                        .g = 9.81,
                        .stretch_primary = 0.01};
-    struct suspension s = suspended_tandem(&t), drawn;
+    struct gear s = suspended_tandem(&t), drawn;
     struct hang h = hung(&s, HANG_NEAR), other;
     double share;
     (void)state;

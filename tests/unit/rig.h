@@ -79,23 +79,23 @@ static inline struct linkage leaning(double h, double gap)
     return l;
 }
 
-static inline struct suspension suspended_linkage(const struct linkage *l)
+static inline struct gear suspended_linkage(const struct linkage *l)
 {
-    struct suspension s;
+    struct gear s;
 
-    assert_int_equal(linkage_suspension(l, &s), SW_OK);
+    assert_int_equal(linkage_gear(l, &s), SW_OK);
     return s;
 }
 
-static inline struct suspension suspended_tandem(const struct tandem *t)
+static inline struct gear suspended_tandem(const struct tandem *t)
 {
-    struct suspension s;
+    struct gear s;
 
-    assert_int_equal(tandem_suspension(t, &s), SW_OK);
+    assert_int_equal(tandem_gear(t, &s), SW_OK);
     return s;
 }
 
-static inline struct hang hung(const struct suspension *s, enum hang_way way)
+static inline struct hang hung(const struct gear *s, enum hang_way way)
 {
     struct hang h;
 
@@ -104,7 +104,7 @@ static inline struct hang hung(const struct suspension *s, enum hang_way way)
 }
 
 /* Place of point p of s. */
-static inline void place(const struct suspension *s, const struct hang *h, int p, double ret[3])
+static inline void place(const struct gear *s, const struct hang *h, int p, double ret[3])
 {
     const struct hitch *at = s->point + p;
 
@@ -130,7 +130,7 @@ static inline void pull_at(double sum[][6], int body, const double x[3], const d
 
 /* Where sling k goes off a and b, and in which direction: between its ends, or between the edge
  * that it touches first and its end at from. */
-static inline void free_part(const struct suspension *s, const struct hang *h, int k, double a[3],
+static inline void free_part(const struct gear *s, const struct hang *h, int k, double a[3],
                              double b[3])
 {
     struct path p;
@@ -147,11 +147,11 @@ static inline void free_part(const struct suspension *s, const struct hang *h, i
 
 /* Largest sum of forces, or of moments over the size of everything, on any body, over the weight of
  * all; slings lean on edges of the body at their end to only. */
-static inline double unbalanced(const struct suspension *s, const struct hang *h)
+static inline double unbalanced(const struct gear *s, const struct hang *h)
 {
-    double sum[SUSPENSION_BODIES][6] = {{0}}, weight, length, most = 0;
+    double sum[GEAR_BODIES][6] = {{0}}, weight, length, most = 0;
 
-    suspension_scale(s, &length, &weight);
+    gear_scale(s, &length, &weight);
     for (int b = 0; b < s->bodies; b++)
         pull_at(sum, b, h->pose[b].r, (double[3]){0, 0, -s->body[b].mass * s->g});
     for (int k = 0; k < s->slings; k++) {

@@ -3,7 +3,7 @@
 
 #include "phys/sway.h"
 
-static struct sway swaying(const struct suspension *s, const struct hang *h)
+static struct sway swaying(const struct gear *s, const struct hang *h)
 {
     struct sway m;
 
@@ -41,7 +41,7 @@ static void case_1_2_5(void **state)
 
     for (int i = 0; i < 3; i++) {
         struct tandem t = reactor;
-        struct suspension s;
+        struct gear s;
         struct hang up;
         struct sway m;
 
@@ -67,7 +67,7 @@ static void elastic_formulas(void **state)
     for (int i = 0; i < 1000; i++) {
         struct tandem t = reactor;
         double eps = log_uniform(&seed, 1e-4, 0.1), v = log_uniform(&seed, 1, 30), b, l, h[2];
-        struct suspension s;
+        struct gear s;
         struct hang up;
         struct sway m;
 
@@ -112,7 +112,7 @@ static void pendulum(void **state)
                        .m_load = 1000,
                        .g = 9.81,
                        .inertia = {{9e3, 2e3, 0}, {2e3, 12e3, 0}, {0, 0, 15e3}}};
-    struct suspension s = suspended_tandem(&t);
+    struct gear s = suspended_tandem(&t);
     struct hang up = hung(&s, HANG_DOWN);
     struct sway m = swaying(&s, &up);
     double stiff = 1000 * 9.81 * 5, mean = 10.5e3 + 25e3, part = hypot(1.5e3, 2e3);
@@ -131,17 +131,17 @@ static void pendulum(void **state)
 
 /* A load on four vertical slings of its own hooks at (-+a, -+c), centre of gravity at (x, y) off
  * the middle, z below the points. */
-static struct suspension four_hooks(double a, double c, double x, double y, double EA)
+static struct gear four_hooks(double a, double c, double x, double y, double EA)
 {
-    struct suspension s = {.g = 9.81};
+    struct gear s = {.g = 9.81};
 
-    suspension_add_body(&s, 1000, (double[3]){x, y, -6},
-                        (const double[3][3]){{1e3, 0, 0}, {0, 2e3, 0}, {0, 0, 3e3}});
+    gear_add_body(&s, 1000, (double[3]){x, y, -6},
+                  (const double[3][3]){{1e3, 0, 0}, {0, 2e3, 0}, {0, 0, 3e3}});
     for (int k = 0; k < 4; k++) {
         double X = k % 2 ? a : -a, Y = k / 2 ? c : -c;
 
-        suspension_add_sling(&s, suspension_add_point(&s, SUSPENSION_HOOK, X, Y, 0),
-                             suspension_add_point(&s, 0, X, Y, -5), 0, EA);
+        gear_add_sling(&s, gear_add_point(&s, GEAR_HOOK, X, Y, 0), gear_add_point(&s, 0, X, Y, -5),
+                       0, EA);
     }
     return s;
 }
@@ -153,7 +153,7 @@ static void four_share(void **state)
     (void)state;
 
     for (int rigid = 0; rigid < 2; rigid++) {
-        struct suspension s = four_hooks(a, c, x, y, rigid ? INFINITY : 1e8);
+        struct gear s = four_hooks(a, c, x, y, rigid ? INFINITY : 1e8);
         struct hang h = hung(&s, HANG_DOWN);
 
         assert_int_equal(h.indeterminate, rigid);
@@ -173,7 +173,7 @@ static void three_carry(void **state)
     (void)state;
 
     for (int rigid = 0; rigid < 2; rigid++) {
-        struct suspension s = four_hooks(a, c, x, y, rigid ? INFINITY : 1e8);
+        struct gear s = four_hooks(a, c, x, y, rigid ? INFINITY : 1e8);
         struct hang h = hung(&s, HANG_DOWN);
 
         below(unbalanced(&s, &h), 1e-10);
@@ -189,7 +189,7 @@ static void words(void **state)
 {
     struct tandem t = {
         .hooks = 1, .slings = 2, .v = 5, .z = 0.5, .base_half = 3, .m_load = 1000, .g = 9.81};
-    struct suspension s = suspended_tandem(&t);
+    struct gear s = suspended_tandem(&t);
     struct hang h = hung(&s, HANG_NEAR);
     struct sway m = swaying(&s, &h);
     (void)state;
@@ -246,7 +246,7 @@ static void as_in_the_plane(void **state)
         struct linkage l = random_linkage(&seed);
         struct formula f = formula_of(&l);
         struct tandem t = doubled(&l);
-        struct suspension s = suspended_tandem(&t);
+        struct gear s = suspended_tandem(&t);
         struct hang h = hung(&s, HANG_NEAR);
         struct sway m = swaying(&s, &h);
         double size = fabs(f.c * l.s) + l.v + l.s + fabs(l.z) * f.r;
@@ -265,7 +265,7 @@ static void edges_in_space(void **state)
 {
     struct linkage l = inclined;
     double b = l.v * tan(l.phi) + l.s * tan(l.gamma);
-    struct suspension flat, s;
+    struct gear flat, s;
     struct hang plane, near, down;
     struct tandem t;
     (void)state;
@@ -284,9 +284,8 @@ static void edges_in_space(void **state)
         double side = k % 2 ? 1 : -1;
         double corner[1][3] = {{side * l.half[0], 0, -l.v - l.s + l.height[0]}};
 
-        assert_int_equal(suspension_add_edges(&s, k, TANDEM_LOAD, (double[3]){0, 1, 0},
-                                              (double[3]){side, 0, 0}, 1,
-                                              (const double(*)[3])corner),
+        assert_int_equal(gear_add_edges(&s, k, TANDEM_LOAD, (double[3]){0, 1, 0},
+                                        (double[3]){side, 0, 0}, 1, (const double(*)[3])corner),
                          SW_OK);
     }
     near = hung(&s, HANG_NEAR);
@@ -305,7 +304,7 @@ static void edges_in_space(void **state)
 static void refusals(void **state)
 {
     struct tandem good = reactor, bad;
-    struct suspension s;
+    struct gear s;
     (void)state;
 
     assert_null(tandem_refused(&good));
@@ -313,7 +312,7 @@ static void refusals(void **state)
     bad = good;                                                                                    \
     bad.field = (value);                                                                           \
     assert_non_null(tandem_refused(&bad));                                                         \
-    assert_int_equal(tandem_suspension(&bad, &s), SW_ADMISSIBLE)
+    assert_int_equal(tandem_gear(&bad, &s), SW_ADMISSIBLE)
     REFUSED(hooks, 3);
     REFUSED(hook[0][1], good.hook[1][1]);
     REFUSED(slings, 3);

@@ -7,9 +7,9 @@
 
 /* A box 2 x 2 x 2 hung from two hooks by four slings that lean on edges of any direction, under
  * another box; every second one elastic. */
-static struct suspension random_suspension(uint64_t *seed, int planar)
+static struct gear random_gear(uint64_t *seed, int planar)
 {
-    struct suspension s = {.planar = planar, .g = 9.81};
+    struct gear s = {.planar = planar, .g = 9.81};
     double edge[3] = {0, 1, 0}, cg[2][3];
 
     for (int b = 0; b < 2; b++) {
@@ -18,8 +18,8 @@ static struct suspension random_suspension(uint64_t *seed, int planar)
         for (int i = 0; i < 3; i++)
             cg[b][i] = planar && i == 1 ? 0 : uniform_in(seed, -0.3, 0.3);
         cg[b][2] -= 3 + 4 * b;
-        suspension_add_body(&s, uniform_in(seed, 1, 3), cg[b],
-                            (const double[3][3]){{I, 0, 0}, {0, I, 0}, {0, 0, I}});
+        gear_add_body(&s, uniform_in(seed, 1, 3), cg[b],
+                      (const double[3][3]){{I, 0, 0}, {0, I, 0}, {0, 0, I}});
     }
     for (int i = 0; i < 3 && !planar; i++)
         edge[i] += uniform_in(seed, -0.3, 0.3);
@@ -28,23 +28,22 @@ static struct suspension random_suspension(uint64_t *seed, int planar)
         int body = k / 2, a, b, sling;
         double out[3] = {side, 0, 0}, corner[2][3] = {{side, 0, 0}, {side, 0, 0}};
 
-        a = suspension_add_point(&s, body - 1, side * uniform_in(seed, 0, 0.9), planar ? 0 : -y,
-                                 -4 * body);
-        b = suspension_add_point(&s, body, side * uniform_in(seed, 0.2, 0.9), y, -4 - 4 * body);
-        sling = suspension_add_sling(&s, a, b, 0, k % 3 ? 50 : INFINITY);
+        a = gear_add_point(&s, body - 1, side * uniform_in(seed, 0, 0.9), planar ? 0 : -y,
+                           -4 * body);
+        b = gear_add_point(&s, body, side * uniform_in(seed, 0.2, 0.9), y, -4 - 4 * body);
+        sling = gear_add_sling(&s, a, b, 0, k % 3 ? 50 : INFINITY);
         corner[0][2] = -2 - 4 * body + uniform_in(seed, -0.2, 0.2);
         corner[1][2] = -4 - 4 * body + uniform_in(seed, -0.2, 0.2);
-        assert_int_equal(suspension_add_edges(&s, sling, body, edge, out, 2,
-                                              (const double(*)[3])corner),
+        assert_int_equal(gear_add_edges(&s, sling, body, edge, out, 2, (const double(*)[3])corner),
                          SW_OK);
-        suspension_tighten(&s, sling, k % 3 ? 0.1 : 0);
+        gear_tighten(&s, sling, k % 3 ? 0.1 : 0);
     }
-    assert_int_equal(suspension_check(&s), SW_OK);
+    assert_int_equal(gear_check(&s), SW_OK);
     return s;
 }
 
 struct energy {
-    const struct suspension *s;
+    const struct gear *s;
     const struct pose *pose;
     const struct freedom *f;
     const struct sling_law *law;
@@ -53,8 +52,8 @@ struct energy {
 /* Energy of the pose moved by t q. */
 static double energy_at(const struct energy *e, const double *q, double t)
 {
-    struct pose moved[SUSPENSION_BODIES];
-    double x[SUSPENSION_FREE];
+    struct pose moved[GEAR_BODIES];
+    double x[GEAR_FREE];
 
     memcpy(moved, e->pose, sizeof moved);
     for (int i = 0; i < e->f->n; i++)
@@ -84,8 +83,8 @@ static void differences(const struct energy *e, const double *q, double *ret_fir
 /* What touches and pulls at t q: an edge or slackness within a difference spoils it. */
 static unsigned contacts_at(const struct energy *e, const double *q, double t)
 {
-    struct pose moved[SUSPENSION_BODIES];
-    double x[SUSPENSION_FREE];
+    struct pose moved[GEAR_BODIES];
+    double x[GEAR_FREE];
     struct potential p;
     unsigned sum = 0;
 
@@ -106,17 +105,17 @@ static void derivatives(void **state)
     (void)state;
 
     for (int turn = 0; turn < 400; turn++) {
-        struct suspension s = random_suspension(&seed, turn % 2);
-        struct pose pose[SUSPENSION_BODIES];
-        struct sling_law law[SUSPENSION_SLINGS];
-        double force[SUSPENSION_SLINGS] = {20, 0, 0, 10}, q[SUSPENSION_FREE], first, second;
+        struct gear s = random_gear(&seed, turn % 2);
+        struct pose pose[GEAR_BODIES];
+        struct sling_law law[GEAR_SLINGS];
+        double force[GEAR_SLINGS] = {20, 0, 0, 10}, q[GEAR_FREE], first, second;
         double gq = 0, qHq = 0;
         struct freedom f;
         struct potential p;
         struct energy e = {&s, pose, &f, law};
 
-        suspension_freedom(&s, -1, &f);
-        suspension_drawn(&s, pose);
+        gear_freedom(&s, -1, &f);
+        gear_drawn(&s, pose);
         for (int i = 0; i < f.n; i++)
             q[i] = uniform_in(&seed, -0.3, 0.3);
         pose_move(&f, q, pose);
@@ -149,30 +148,29 @@ static void derivatives(void **state)
  */
 static void unfolded(void **state)
 {
-    struct suspension s = {.g = 1};
+    struct gear s = {.g = 1};
     const double corner[2][3] = {{1, 0, 1}, {1, 7, 0}}, edge[3] = {0, -2, 0}, out[3] = {1, 0, 0};
     struct pose pose[1];
     struct path p;
     int a, b, k;
     (void)state;
 
-    suspension_add_body(&s, 1, (double[3]){0},
-                        (const double[3][3]){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    a = suspension_add_point(&s, SUSPENSION_HOOK, 0, 0, 2);
-    b = suspension_add_point(&s, 0, 0.5, 3, -1);
-    k = suspension_add_sling(&s, a, b, 0, INFINITY);
+    gear_add_body(&s, 1, (double[3]){0}, (const double[3][3]){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    a = gear_add_point(&s, GEAR_HOOK, 0, 0, 2);
+    b = gear_add_point(&s, 0, 0.5, 3, -1);
+    k = gear_add_sling(&s, a, b, 0, INFINITY);
     near_rel(s.sling[k].length, sqrt(0.25 + 9 + 9), 1e-15);
-    assert_int_equal(suspension_add_edges(&s, k, 0, edge, out, 2, corner), SW_OK);
-    suspension_drawn(&s, pose);
+    assert_int_equal(gear_add_edges(&s, k, 0, edge, out, 2, corner), SW_OK);
+    gear_drawn(&s, pose);
     path_lay(&s, pose, k, &p);
     assert_int_equal(p.n, 4);
     near_rel(p.length, hypot(sqrt(2) + 1 + hypot(0.5, 1), 3), 1e-15);
     near_rel(p.x[1][1] / sqrt(2), p.x[2][1] / (sqrt(2) + 1), 1e-14); /* climbs evenly */
-    assert_int_equal(suspension_add_edges(&s, k, 0, edge, (double[3]){-1, 0, 0}, 2, corner), SW_OK);
+    assert_int_equal(gear_add_edges(&s, k, 0, edge, (double[3]){-1, 0, 0}, 2, corner), SW_OK);
     path_lay(&s, pose, k, &p);
     assert_int_equal(p.n, 2);
-    assert_int_equal(suspension_add_edges(&s, k, 0, edge, edge, 2, corner), SW_ADMISSIBLE);
-    assert_int_equal(suspension_add_edges(&s, k, 0, edge, out, 5, corner), SW_ADMISSIBLE);
+    assert_int_equal(gear_add_edges(&s, k, 0, edge, edge, 2, corner), SW_ADMISSIBLE);
+    assert_int_equal(gear_add_edges(&s, k, 0, edge, out, 5, corner), SW_ADMISSIBLE);
 }
 
 /* A load turns until its sling touches the edge: length and slope go on without a jump, the second
@@ -180,7 +178,7 @@ static void unfolded(void **state)
 static void touching(void **state)
 {
     struct linkage l = inclined;
-    struct suspension s;
+    struct gear s;
     struct freedom f;
     double before[3], after[3];
     (void)state;
@@ -189,21 +187,21 @@ static void touching(void **state)
     l.half[0] = l.v * tan(l.phi) + l.s * tan(l.gamma) - 0.05;
     l.height[0] = 2;
     s = suspended_linkage(&l);
-    suspension_freedom(&s, -1, &f);
+    gear_freedom(&s, -1, &f);
     for (int side = 0; side < 2; side++) {
-        double tilt = 0, step = 0.1, H[SUSPENSION_FREE * SUSPENSION_FREE] = {0};
-        double g[SUSPENSION_FREE];
-        struct pose pose[SUSPENSION_BODIES];
+        double tilt = 0, step = 0.1, H[GEAR_FREE * GEAR_FREE] = {0};
+        double g[GEAR_FREE];
+        struct pose pose[GEAR_BODIES];
         struct path p;
 
         for (int i = 0; i < 60;
              i++, step /= 2) { /* the last tilt without contact, the first with */
-            suspension_drawn(&s, pose);
+            gear_drawn(&s, pose);
             pose_tilt(pose, tilt + step);
             path_lay(&s, pose, LINKAGE_SECOND_RIGHT, &p);
             tilt += p.n == 2 ? step : 0;
         }
-        suspension_drawn(&s, pose);
+        gear_drawn(&s, pose);
         pose_tilt(pose, tilt + (side ? 1e-9 : -1e-9));
         path_lay(&s, pose, LINKAGE_SECOND_RIGHT, &p);
         assert_int_equal(p.n, 2 + side);
@@ -227,15 +225,15 @@ static void no_number_is_lost(void **state)
 
 static void refusals(void **state)
 {
-    struct suspension good = suspended_linkage(&inclined), bad;
+    struct gear good = suspended_linkage(&inclined), bad;
     struct hang h;
     (void)state;
 
-    assert_int_equal(suspension_check(&good), SW_OK);
+    assert_int_equal(gear_check(&good), SW_OK);
 #define REFUSED(change)                                                                            \
     bad = good;                                                                                    \
     change;                                                                                        \
-    assert_int_equal(suspension_check(&bad), SW_ADMISSIBLE);                                       \
+    assert_int_equal(gear_check(&bad), SW_ADMISSIBLE);                                             \
     assert_int_equal(hang(&bad, HANG_DOWN, NULL, -1, &h), SW_ADMISSIBLE)
     REFUSED(bad.g = 0);
     REFUSED(bad.bodies = 0);

@@ -1,5 +1,5 @@
 /*
- * A suspension as drawn: bodies, points, slings.
+ * Lifting gear and what hangs in it, as drawn: bodies, points, slings.
  *
  * Axes: x lengthwise, y crosswise, z up.  Everything is given in space in the place where it is
  * drawn, which need not be an equilibrium; a pose tells where the bodies are instead.  Planar
@@ -12,18 +12,18 @@
  *
  * One struct of fixed size holds it all, without pointers: it is copied by assignment.
  */
-#ifndef SEILWERK_PHYS_SUSPENSION_H
-#define SEILWERK_PHYS_SUSPENSION_H
+#ifndef SEILWERK_PHYS_GEAR_H
+#define SEILWERK_PHYS_GEAR_H
 
 #include "num/status.h"
 
 enum {
-    SUSPENSION_BODIES = 4,
-    SUSPENSION_POINTS = 48,
-    SUSPENSION_SLINGS = 24,
-    SUSPENSION_CORNERS = 4, /* that one sling may lean on */
-    SUSPENSION_FREE = 6 * SUSPENSION_BODIES,
-    SUSPENSION_HOOK = -1 /* the body of points that are fixed in space */
+    GEAR_BODIES = 4,
+    GEAR_POINTS = 48,
+    GEAR_SLINGS = 24,
+    GEAR_CORNERS = 4, /* that one sling may lean on */
+    GEAR_FREE = 6 * GEAR_BODIES,
+    GEAR_HOOK = -1 /* the body of points that are fixed in space */
 };
 
 struct suspended {
@@ -33,29 +33,29 @@ struct suspended {
 };
 
 struct hitch {
-    int body; /* or SUSPENSION_HOOK */
+    int body; /* or GEAR_HOOK */
     double at[3];
 };
 
 struct tie {
-    int from, to;                         /* points */
-    double length;                        /* unstretched [m], > 0 */
-    double EA;                            /* [N], > 0; INFINITY: rigid */
-    int corners;                          /* that it may lean on ... */
-    int leans;                            /* ... of this body ... */
-    double corner[SUSPENSION_CORNERS][3]; /* ... in the order in which they are met from -> to */
+    int from, to;                   /* points */
+    double length;                  /* unstretched [m], > 0 */
+    double EA;                      /* [N], > 0; INFINITY: rigid */
+    int corners;                    /* that it may lean on ... */
+    int leans;                      /* ... of this body ... */
+    double corner[GEAR_CORNERS][3]; /* ... in the order in which they are met from -> to */
     /* Unit direction of the edges, with the sign that makes a corner in the sling's way
      * edge . ((to - from) x (corner - from)) > 0. */
     double edge[3];
 };
 
-struct suspension {
+struct gear {
     int planar;
     double g; /* [m/s2], > 0 */
     int bodies, points, slings;
-    struct suspended body[SUSPENSION_BODIES];
-    struct hitch point[SUSPENSION_POINTS];
-    struct tie sling[SUSPENSION_SLINGS];
+    struct suspended body[GEAR_BODIES];
+    struct hitch point[GEAR_POINTS];
+    struct tie sling[GEAR_SLINGS];
 };
 
 /* Where a body is: its centre of gravity and its axes (columns of R) that were those of space. */
@@ -68,52 +68,51 @@ struct pose {
  * along x, y, z or 3, 4, 5 for a turn about axes through it that are parallel to x, y, z. */
 struct freedom {
     int n;
-    int body[SUSPENSION_FREE], axis[SUSPENSION_FREE];
+    int body[GEAR_FREE], axis[GEAR_FREE];
 };
 
 /* Each adds one and returns its number, -1 if there is no room. */
-int suspension_add_body(struct suspension *s, double mass, const double cg[3],
-                        const double inertia[3][3]);
-int suspension_add_point(struct suspension *s, int body, double x, double y, double z);
+int gear_add_body(struct gear *s, double mass, const double cg[3], const double inertia[3][3]);
+int gear_add_point(struct gear *s, int body, double x, double y, double z);
 
 /* A sling as long as it is drawn, if length = 0. */
-int suspension_add_sling(struct suspension *s, int from, int to, double length, double EA);
+int gear_add_sling(struct gear *s, int from, int to, double length, double EA);
 
 /*
  * The sling k goes round the n corners of a body, given in the order from -> to, through which
  * edges of the direction edge run; it passes them on the side outward.  A length that was drawn is
- * then measured by suspension_tighten.  SW_ADMISSIBLE: too many corners; outward lies along the
+ * then measured by gear_tighten.  SW_ADMISSIBLE: too many corners; outward lies along the
  * sling or the edges.
  */
-enum status suspension_add_edges(struct suspension *s, int k, int body, const double edge[3],
-                                 const double outward[3], int n, const double corner[][3]);
+enum status gear_add_edges(struct gear *s, int k, int body, const double edge[3],
+                           const double outward[3], int n, const double corner[][3]);
 
 /* The unstretched length of sling k becomes that with which it has the length of its path as drawn
  * under the stretch (L - length)/L; 0 <= stretch < 1. */
-void suspension_tighten(struct suspension *s, int k, double stretch);
+void gear_tighten(struct gear *s, int k, double stretch);
 
 /* All sizes and numbers in range, every body reached by slings: SW_OK, else SW_ADMISSIBLE. */
-enum status suspension_check(const struct suspension *s);
+enum status gear_check(const struct gear *s);
 
 /* Length and weight by which everything is made free of dimension: the greatest distance of a point
  * from the first one, and the weight of all bodies. */
-void suspension_scale(const struct suspension *s, double *ret_length, double *ret_weight);
+void gear_scale(const struct gear *s, double *ret_length, double *ret_weight);
 
 /* The same with length 1, weight 1, g 1. */
-void suspension_unit(const struct suspension *s, struct suspension *ret);
+void gear_unit(const struct gear *s, struct gear *ret);
 
 /* The place as drawn, pose (bodies). */
-void suspension_drawn(const struct suspension *s, struct pose *pose);
+void gear_drawn(const struct gear *s, struct pose *pose);
 
 /* Where a place at of the drawing, fixed to body, is in the pose. */
-void pose_place(const struct suspension *s, const struct pose *pose, int body, const double at[3],
+void pose_place(const struct gear *s, const struct pose *pose, int body, const double at[3],
                 double ret[3]);
 
 /* ret = A x. */
 void pose_turned(const double A[3][3], const double x[3], double ret[3]);
 
 /* Free motions; held: a body whose turn about y is prescribed (planar), or -1. */
-void suspension_freedom(const struct suspension *s, int held, struct freedom *ret);
+void gear_freedom(const struct gear *s, int held, struct freedom *ret);
 
 /* The pose moved by q (f->n): shifts add, turns are rotation vectors composed from the left. */
 void pose_move(const struct freedom *f, const double *q, struct pose *pose);

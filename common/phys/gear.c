@@ -1,5 +1,5 @@
-/* A suspension as drawn, its scales, and poses of its bodies. */
-#include "phys/suspension.h"
+/* Lifting gear as drawn, its scales, and poses of its bodies. */
+#include "phys/gear.h"
 
 #include "phys/path.h"
 #include "phys/space.h"
@@ -8,12 +8,11 @@
 #include <math.h>
 #include <string.h>
 
-int suspension_add_body(struct suspension *s, double mass, const double cg[3],
-                        const double inertia[3][3])
+int gear_add_body(struct gear *s, double mass, const double cg[3], const double inertia[3][3])
 {
     struct suspended *b = s->body + s->bodies;
 
-    if (s->bodies == SUSPENSION_BODIES)
+    if (s->bodies == GEAR_BODIES)
         return -1;
     b->mass = mass;
     memcpy(b->cg, cg, sizeof b->cg);
@@ -21,31 +20,31 @@ int suspension_add_body(struct suspension *s, double mass, const double cg[3],
     return s->bodies++;
 }
 
-int suspension_add_point(struct suspension *s, int body, double x, double y, double z)
+int gear_add_point(struct gear *s, int body, double x, double y, double z)
 {
-    if (s->points == SUSPENSION_POINTS)
+    if (s->points == GEAR_POINTS)
         return -1;
     s->point[s->points] = (struct hitch){body, {x, y, z}};
     return s->points++;
 }
 
-int suspension_add_sling(struct suspension *s, int from, int to, double length, double EA)
+int gear_add_sling(struct gear *s, int from, int to, double length, double EA)
 {
-    if (s->slings == SUSPENSION_SLINGS)
+    if (s->slings == GEAR_SLINGS)
         return -1;
     s->sling[s->slings] = (struct tie){.from = from, .to = to, .length = length, .EA = EA};
     if (length == 0)
-        suspension_tighten(s, s->slings, 0);
+        gear_tighten(s, s->slings, 0);
     return s->slings++;
 }
 
-enum status suspension_add_edges(struct suspension *s, int k, int body, const double edge[3],
-                                 const double outward[3], int n, const double corner[][3])
+enum status gear_add_edges(struct gear *s, int k, int body, const double edge[3],
+                           const double outward[3], int n, const double corner[][3])
 {
     struct tie *t = s->sling + k;
     double along[3], normal[3], size = sqrt(dot(edge, edge)), side;
 
-    if (n > SUSPENSION_CORNERS)
+    if (n > GEAR_CORNERS)
         return SW_ADMISSIBLE;
     subtract(s->point[t->to].at, s->point[t->from].at, along);
     cross(along, outward, normal);
@@ -60,12 +59,12 @@ enum status suspension_add_edges(struct suspension *s, int k, int body, const do
     return SW_OK;
 }
 
-void suspension_tighten(struct suspension *s, int k, double stretch)
+void gear_tighten(struct gear *s, int k, double stretch)
 {
-    struct pose pose[SUSPENSION_BODIES];
+    struct pose pose[GEAR_BODIES];
     struct path path;
 
-    suspension_drawn(s, pose);
+    gear_drawn(s, pose);
     path_lay(s, pose, k, &path);
     s->sling[k].length = path.length * (1 - stretch);
 }
@@ -86,10 +85,10 @@ static int sound_body(const struct suspended *b)
     return b->mass >= 0 && fabs(sum) <= DBL_MAX;
 }
 
-static int sound_sling(const struct suspension *s, const struct tie *t)
+static int sound_sling(const struct gear *s, const struct tie *t)
 {
     if (t->from < 0 || t->from >= s->points || t->to < 0 || t->to >= s->points || t->corners < 0 ||
-        t->corners > SUSPENSION_CORNERS)
+        t->corners > GEAR_CORNERS)
         return 0;
     if (t->corners > 0 &&
         (t->leans < 0 || t->leans >= s->bodies || !(fabs(dot(t->edge, t->edge) - 1) <= 1e-12)))
@@ -101,7 +100,7 @@ static int sound_sling(const struct suspension *s, const struct tie *t)
 }
 
 /* Bodies that hang from a hook over slings, as bits. */
-static unsigned reached(const struct suspension *s)
+static unsigned reached(const struct gear *s)
 {
     unsigned known = 0, before;
 
@@ -119,7 +118,7 @@ static unsigned reached(const struct suspension *s)
     return known;
 }
 
-enum status suspension_check(const struct suspension *s)
+enum status gear_check(const struct gear *s)
 {
     double length, weight;
 
@@ -134,13 +133,13 @@ enum status suspension_check(const struct suspension *s)
     for (int k = 0; k < s->slings; k++)
         if (!sound_sling(s, s->sling + k))
             return SW_ADMISSIBLE;
-    suspension_scale(s, &length, &weight);
+    gear_scale(s, &length, &weight);
     if (!(length > 0 && weight > 0 && weight <= DBL_MAX))
         return SW_ADMISSIBLE;
     return reached(s) == (1u << s->bodies) - 1 ? SW_OK : SW_ADMISSIBLE;
 }
 
-void suspension_scale(const struct suspension *s, double *ret_length, double *ret_weight)
+void gear_scale(const struct gear *s, double *ret_length, double *ret_weight)
 {
     *ret_length = *ret_weight = 0;
     for (int p = 1; p < s->points; p++) {
@@ -159,11 +158,11 @@ static void shrink(double x[3], double factor)
         x[i] *= factor;
 }
 
-void suspension_unit(const struct suspension *s, struct suspension *ret)
+void gear_unit(const struct gear *s, struct gear *ret)
 {
     double length, weight;
 
-    suspension_scale(s, &length, &weight);
+    gear_scale(s, &length, &weight);
     *ret = *s;
     ret->g = 1;
     for (int b = 0; b < s->bodies; b++) {
@@ -182,7 +181,7 @@ void suspension_unit(const struct suspension *s, struct suspension *ret)
     }
 }
 
-void suspension_drawn(const struct suspension *s, struct pose *pose)
+void gear_drawn(const struct gear *s, struct pose *pose)
 {
     memset(pose, 0, (size_t)s->bodies * sizeof *pose);
     for (int b = 0; b < s->bodies; b++)
@@ -198,7 +197,7 @@ void pose_turned(const double A[3][3], const double x[3], double ret[3])
         ret[i] = dot(A[i], x);
 }
 
-void pose_place(const struct suspension *s, const struct pose *pose, int body, const double at[3],
+void pose_place(const struct gear *s, const struct pose *pose, int body, const double at[3],
                 double ret[3])
 {
     double d[3];
@@ -213,7 +212,7 @@ void pose_place(const struct suspension *s, const struct pose *pose, int body, c
         ret[i] += pose[body].r[i];
 }
 
-void suspension_freedom(const struct suspension *s, int held, struct freedom *ret)
+void gear_freedom(const struct gear *s, int held, struct freedom *ret)
 {
     static const int plane[] = {0, 2, 4};
 
@@ -249,7 +248,7 @@ static void turn(const double w[3], double R[3][3])
 
 void pose_move(const struct freedom *f, const double *q, struct pose *pose)
 {
-    double w[SUSPENSION_BODIES][3] = {{0}};
+    double w[GEAR_BODIES][3] = {{0}};
     int bodies = 0;
 
     for (int i = 0; i < f->n; i++) {
