@@ -3,14 +3,19 @@
 #include "num/mem.h"
 #include "phys/network.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define ENOUGH 0.3  /* of the first slope: a shortened step ends there */
-#define TRIALS 80   /* of a step's length */
-#define POLISH 3    /* steps behind the tolerance that may still bring something */
-#define THREADS 512 /* ropes from which threads share them */
+#define ENOUGH 0.3      /* of the first slope: a shortened step ends there */
+#define TRIALS 80       /* of a step's length */
+#define ROUND_OFF 1e-13 /* of the products of tensions and lengths */
+#define BRIEF 0.01      /* a short step */
+#define SHORT_STEPS 4   /* of them: another way */
+#define STAGES 28       /* of smoothing, two for a power of ten */
+#define POLISH 3        /* steps behind the tolerance that may still bring something */
+#define THREADS 512     /* ropes from which threads share them */
 
 void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM])
 {
@@ -218,15 +223,34 @@ static double slope(const struct net *net, const struct net_work *w)
     return sum;
 }
 
+/* Of slopes: where statics alone gives the tensions, nothing else is left of them. */
+static double round_off(const struct net *net, const struct net_state *s, const struct net_work *w)
+{
+    double sum = 0;
+
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        const double *K = w->K + SYM * r;
+        double moved = 0, gap = length(w->gap + 3 * r);
+
+        for (int i = 0; i < 3; i++)
+            moved += fabs(w->dx[3 * p->b + i] - w->dx[3 * p->a + i]);
+        sum += length(s->t + 3 * r) * p->rope.L0 +
+               (K[SYM_XX] + K[SYM_YY] + K[SYM_ZZ]) * gap * (gap + moved);
+    }
+    return ROUND_OFF * sum;
+}
+
 /* A factor at which the slope has nearly vanished, or the whole step: by regula falsi (Illinois).
  * The trial state stands there. */
 static double search(const struct net *net, const struct net_state *s, struct net_work *w)
 {
     double first = slope(net, w), low = 0, high = 1, at_low = first, at_high, factor = 1;
+    double enough = ENOUGH * fabs(first) + round_off(net, s, w);
 
     try_step(net, s, 1, w);
     at_high = slope(net, w);
-    if (at_high <= ENOUGH * fabs(first))
+    if (at_high <= enough)
         return 1;
     for (int k = 0; k < TRIALS; k++) {
         double now;
@@ -237,7 +261,7 @@ static double search(const struct net *net, const struct net_state *s, struct ne
             factor = low + (high - low) * (low == 0 ? 0.1 : 0.5);
         try_step(net, s, factor, w);
         now = slope(net, w);
-        if (fabs(now) <= ENOUGH * fabs(first))
+        if (fabs(now) <= enough)
             break;
         if (now < 0) {
             low = factor;
@@ -275,47 +299,71 @@ static void approximate(const struct net *net, const struct net_options *o, cons
     }
 }
 
-/* Steps until the bounds are met, and a few more while they still bring something. */
-static enum status iterate(const struct net *net, const struct net_options *o, struct net_work *w,
-                           struct net_state *s)
+/* Steps until the bounds are met, and a few more while they still bring something; at most to
+ * step number `last`, or until so many steps in a row were short. */
+static enum status iterate(const struct net *net, const struct net_options *o, double tolerance,
+                           int last, int patience, struct net_work *w, struct net_state *s)
 {
-    int polish = 0;
-    enum status status;
+    int polish = 0, brief = 0;
 
     net_evaluate(net, s->x, s->t, w);
-    s->step[0] = net_measure(net, s->t, w, s);
-    for (s->steps = 0; s->steps < o->steps;) {
-        struct net_step now;
-        int met = is_met(&s->step[s->steps], s, o->tolerance);
+    if (s->steps == 0)
+        s->step[0] = net_measure(net, s->t, w, s);
+    while (s->steps < last && brief < patience) {
+        struct net_step before = net_measure(net, s->t, w, s), now;
+        int met = is_met(&before, s, tolerance);
+        enum status status;
+        double factor;
 
-        if (met && polish++ == POLISH)
+        if (met && (polish++ == POLISH || tolerance > o->tolerance))
             break;
         if (s->steps < o->start_steps && o->start != NET_EXACT)
             approximate(net, o, s->t, w);
         status = net_find_step(net, w, &s->worst);
         if (status != SW_OK)
             return met ? SW_OK : status;
-        now.factor = search(net, s, w);
-        {
-            double factor = now.factor;
-
-            now = net_measure(net, w->t1, w, s);
-            now.factor = factor;
-        }
-        if (met && !(now.mean_gap < s->step[s->steps].mean_gap / 2))
+        factor = search(net, s, w);
+        now = net_measure(net, w->t1, w, s);
+        now.factor = factor;
+        if (met && !(now.mean_gap < before.mean_gap / 2)) {
+            net_evaluate(net, s->x, s->t, w);
             break;
+        }
         take(s, net, w);
         s->step[++s->steps] = now;
+        brief = factor < BRIEF ? brief + 1 : 0;
         if (!isfinite(now.mean_gap) || !isfinite(now.residual))
             break;
     }
-    net_evaluate(net, s->x, s->t, w);
-    memcpy(s->residual, w->residual, 3 * sizeof *s->residual * (size_t)net->n);
     {
-        struct net_step last = net_measure(net, s->t, w, s);
+        struct net_step end = net_measure(net, s->t, w, s);
 
-        return is_met(&last, s, o->tolerance) ? SW_OK : SW_NOCONV;
+        return is_met(&end, s, tolerance) ? SW_OK : SW_NOCONV;
     }
+}
+
+/*
+ * Where ropes go slack their chords become steps of the tension, on which Newton's method creeps.
+ * Then: the same with smooth chords first, epsilon falling from the ropes' whole load to what it
+ * shall be.
+ */
+static enum status iterate_smoothly(struct net *net, const struct net_options *o,
+                                    struct net_work *w, struct net_state *s)
+{
+    enum status status = iterate(net, o, o->tolerance, o->steps, SHORT_STEPS, w, s);
+
+    if (status != SW_NOCONV || s->steps >= o->steps)
+        return status;
+    status = net_begin(net, w, s);
+    for (int k = 0; k <= STAGES && status == SW_OK; k++) {
+        int last = k == STAGES;
+
+        net_smooth(net, w->reference, last ? 0 : w->reference * pow(0.1, k / 2.0));
+        status = iterate(net, o, last ? o->tolerance : 1e-4, o->steps, INT_MAX, w, s);
+        if (status == SW_NOCONV && !last)
+            status = SW_OK; /* the next may do better */
+    }
+    return status;
 }
 
 static enum status new_state(const struct net *net, const struct net_options *o,
@@ -348,14 +396,16 @@ enum status net_solve(struct net *net, const struct net_options *o, struct net_s
     if (s == SW_OK) {
         ret->size = net_size(net);
         w.reference = net_reference(net);
-        net_smooth(net, w.reference);
+        net_smooth(net, w.reference, 1);
         if (o->method == NET_IMAGINARY)
             s = net_imaginary(net, o, &w, ret);
         else
             s = net_begin(net, &w, ret);
     }
     if (s == SW_OK && o->method == NET_GAP)
-        s = iterate(net, o, &w, ret);
+        s = iterate_smoothly(net, o, &w, ret);
+    if (s == SW_OK || s == SW_NOCONV)
+        memcpy(ret->residual, w.residual, 3 * sizeof *ret->residual * (size_t)net->n);
     net_work_free(&w);
     if (s == SW_NOMEM)
         net_state_free(ret);

@@ -204,7 +204,6 @@ enum status net_imaginary(const struct net *net, const struct net_options *o, st
         if (is_fixed(&net->node[i]))
             memcpy(s->x + 3 * i, net->node[i].x, 3 * sizeof *s->x);
     net_evaluate(net, s->x, s->t, w);
-    memcpy(s->residual, w->residual, 3 * sizeof *s->residual * (size_t)net->n);
     net_measure(net, s->t, w, s);
     return status;
 }

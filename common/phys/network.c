@@ -204,13 +204,14 @@ double net_reference(const struct net *net)
     return load > 0 ? load / (held > 0 ? held : 1) : softest / 1000;
 }
 
-void net_smooth(struct net *net, double reference)
+void net_smooth(struct net *net, double reference, double least)
 {
     for (int r = 0; r < net->m; r++) {
         struct rope *p = &net->rope[r].rope;
         double load = norm(p->q) * p->L0;
 
         p->epsilon = load > WEIGHTLESS * reference ? SMOOTH * load : WEIGHTLESS * reference;
+        p->epsilon = fmax(p->epsilon, least);
     }
 }
 
