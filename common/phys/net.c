@@ -17,6 +17,11 @@
 #define POLISH 3        /* steps behind the tolerance that may still bring something */
 #define THREADS 512     /* ropes from which threads share them */
 
+static double length(const double x[3])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
 void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM])
 {
     double away[3], pull[3], draft = -x[2];
@@ -35,18 +40,35 @@ void net_node_force(const struct net_node *node, const double x[3], double f[3],
         K[SYM_ZZ] += node->area;
 }
 
-/* A bar between x_a and x_b: tension towards b and stiffness (26). */
-static void bar(const struct rope *r, const double d[3], double t[3], double K[SYM])
+/* A bar between x_a and x_b: tension towards b and stiffness (26).  One that only pulls has none
+ * where it is slack; soft, a thousandth of what a rope has that carries the reference, stands for
+ * its stiffness in the matrix. */
+static void bar(const struct net_rope *p, const double d[3], double soft, double t[3],
+                double K[SYM])
 {
-    double l = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), N = r->law.EA * (l / r->L0 - 1);
-    double along = N / l, change = (r->law.EA / r->L0 - along) / (l * l);
+    const struct rope *r = &p->rope;
+    double l = length(d), N, along, change, slope;
 
+    if (l > r->L0 && r->law.n > 0) {
+        N = rope_tension(&r->law, l / r->L0 - 1, &slope);
+        slope /= r->L0;
+    } else {
+        N = r->law.EA * (l / r->L0 - 1);
+        slope = r->law.EA / r->L0;
+    }
+    along = N / l;
+    change = (slope - along) / (l * l);
     if (!(l > 0)) { /* no direction: a spring in all of them */
-        along = r->law.EA / r->L0;
+        along = slope;
+        change = 0;
+    }
+    if (p->pulls && !(N > 0)) {
+        N = 0;
+        along = soft / r->L0;
         change = 0;
     }
     for (int i = 0; i < 3; i++)
-        t[i] = along * d[i];
+        t[i] = l > 0 ? N / l * d[i] : 0;
     K[SYM_XX] = along + change * d[0] * d[0];
     K[SYM_XY] = change * d[0] * d[1];
     K[SYM_XZ] = change * d[0] * d[2];
@@ -66,7 +88,7 @@ static void evaluate_rope(const struct net *net, const double *x, const double *
     if (net_is_bar(p)) {
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 
-        bar(&p->rope, d, w->bar + 3 * r, w->K + SYM * r);
+        bar(p, d, w->reference / 1000, w->bar + 3 * r, w->K + SYM * r);
         gap[0] = gap[1] = gap[2] = 0;
         return;
     }
@@ -122,11 +144,6 @@ void net_evaluate(const struct net *net, const double *x, const double *t, struc
 {
     evaluate_ropes(net, x, t, w);
     evaluate_nodes(net, x, t, w);
-}
-
-static double length(const double x[3])
-{
-    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
 struct net_step net_measure(const struct net *net, const double *t, const struct net_work *w,
@@ -386,6 +403,22 @@ void net_state_free(struct net_state *s)
     *s = (struct net_state){.x = NULL};
 }
 
+/* What the last evaluation says, and the way there. */
+static enum status conclude(const struct net *net, const struct net_options *o, enum status s,
+                            const struct net_work *w, struct net_state *ret)
+{
+    struct net_step end;
+
+    if (s != SW_OK && s != SW_NOCONV)
+        return s;
+    memcpy(ret->residual, w->residual, 3 * sizeof *ret->residual * (size_t)net->n);
+    for (int r = 0; r < net->m; r++) /* bars follow from the positions */
+        if (net_is_bar(&net->rope[r]))
+            memcpy(ret->t + 3 * r, w->bar + 3 * r, 3 * sizeof *ret->t);
+    end = net_measure(net, ret->t, w, ret);
+    return is_met(&end, ret, o->tolerance) ? SW_OK : SW_NOCONV;
+}
+
 enum status net_solve(struct net *net, const struct net_options *o, struct net_state *ret)
 {
     struct net_work w = {.dof = NULL};
@@ -396,18 +429,25 @@ enum status net_solve(struct net *net, const struct net_options *o, struct net_s
     if (s == SW_OK) {
         ret->size = net_size(net);
         w.reference = net_reference(net);
-        net_smooth(net, w.reference, 1);
+        net_smooth(net, w.reference, 0);
         if (o->method == NET_IMAGINARY)
             s = net_imaginary(net, o, &w, ret);
+        else if (o->method == NET_DISPLACEMENT)
+            s = net_displace(net, o, &w, ret);
         else
             s = net_begin(net, &w, ret);
     }
     if (s == SW_OK && o->method == NET_GAP)
         s = iterate_smoothly(net, o, &w, ret);
-    if (s == SW_OK || s == SW_NOCONV)
-        memcpy(ret->residual, w.residual, 3 * sizeof *ret->residual * (size_t)net->n);
+    s = conclude(net, o, s, &w, ret);
     net_work_free(&w);
     if (s == SW_NOMEM)
         net_state_free(ret);
     return s;
+}
+
+enum status net_iterate(const struct net *net, const struct net_options *o, struct net_work *w,
+                        struct net_state *s)
+{
+    return iterate(net, o, o->tolerance, o->steps, INT_MAX, w, s);
 }

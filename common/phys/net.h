@@ -29,7 +29,8 @@ struct net_node {
 };
 
 struct net_rope {
-    int a, b; /* nodes */
+    int a, b;  /* nodes */
+    int pulls; /* a rope of one element: whether it carries tension only */
     struct rope rope;
 };
 

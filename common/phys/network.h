@@ -69,4 +69,13 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
 enum status net_imaginary(const struct net *net, const struct net_options *o, struct net_work *w,
                           struct net_state *s);
 
+/* The matrix displacement method (71-76) on s, from nothing: all elements at once, no cuts.
+ * SW_ADMISSIBLE: continuous ropes. */
+enum status net_displace(const struct net *net, const struct net_options *o, struct net_work *w,
+                         struct net_state *s);
+
+/* Steps from the state s, without smoothing.  SW_NOCONV, and as net_find_step. */
+enum status net_iterate(const struct net *net, const struct net_options *o, struct net_work *w,
+                        struct net_state *s);
+
 #endif

@@ -28,6 +28,25 @@ double rope_strain(const struct rope_law *law, double T, double *ret_slope)
     return e0 + (T - T0) * *ret_slope;
 }
 
+double rope_tension(const struct rope_law *law, double e, double *ret_slope)
+{
+    int k = 0;
+    double e0 = 0, T0 = 0;
+
+    if (law->n == 0) {
+        *ret_slope = law->EA;
+        return law->EA * e;
+    }
+    while (k < law->n - 1 && law->strain[k] <= e)
+        k++;
+    if (k > 0) {
+        e0 = law->strain[k - 1];
+        T0 = law->tension[k - 1];
+    }
+    *ret_slope = (law->tension[k] - T0) / (law->strain[k] - e0);
+    return T0 + (e - e0) * *ret_slope;
+}
+
 /* x += l0 (1 + e) t/T and F += l0 {(1 + e)/T [I - t t^T/T^2] + e' t t^T/T^2}, T smoothed. */
 static void add_element(const struct rope_law *law, double l0, double epsilon, const double t[3],
                         double x[3], double F[SYM], double *ret_strain)
