@@ -11,8 +11,12 @@
 #define ENOUGH 0.3      /* of the first slope: a shortened step ends there */
 #define TRIALS 80       /* of a step's length */
 #define ROUND_OFF 1e-13 /* of the products of tensions and lengths */
-#define BRIEF 0.01      /* a short step */
-#define SHORT_STEPS 4   /* of them: another way */
+#define BRIEF 0.1       /* a short step */
+#define SHORT_STEPS 2   /* of them: another way */
+#define STAGE 0.01      /* gap over a rope's length that ends a stage */
+#define SOFT_STEPS 9    /* in a stage of ropes that give */
+#define GIVE_END 0.1    /* of a rope's own: no longer matters */
+#define GIVE_UP 0.9     /* a stage that takes off less is none */
 #define STAGES 28       /* of smoothing, two for a power of ten */
 #define POLISH 3        /* steps behind the tolerance that may still bring something */
 #define THREADS 512     /* ropes from which threads share them */
@@ -149,7 +153,7 @@ void net_evaluate(const struct net *net, const double *x, const double *t, struc
 struct net_step net_measure(const struct net *net, const double *t, const struct net_work *w,
                             struct net_state *s)
 {
-    struct net_step ret = {0, 0, 0, 1};
+    struct net_step ret = {.factor = 1};
     int counted = 0;
 
     s->most = 0;
@@ -162,6 +166,9 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
         counted += !net_is_bar(&net->rope[r]);
         if (!(gap <= ret.largest_gap))
             ret.largest_gap = gap;
+        gap *= s->size / net->rope[r].rope.L0;
+        if (!(gap <= ret.gap_of_rope))
+            ret.gap_of_rope = gap;
     }
     ret.mean_gap /= counted > 0 ? counted : 1;
     for (int i = 0; i < 3 * net->n; i++) {
@@ -299,8 +306,11 @@ static void take(struct net_state *s, const struct net *net, const struct net_wo
     memcpy(s->t, w->t1, 3 * sizeof *s->t * (size_t)net->m);
 }
 
+/* tolerance 0: near enough for a stage on the way. */
 static int is_met(const struct net_step *p, const struct net_state *s, double tolerance)
 {
+    if (tolerance == 0)
+        return p->gap_of_rope <= STAGE && p->residual <= STAGE * s->most;
     return p->largest_gap <= tolerance && p->residual <= tolerance * s->most;
 }
 
@@ -332,7 +342,7 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
         enum status status;
         double factor;
 
-        if (met && (polish++ == POLISH || tolerance > o->tolerance))
+        if (met && (polish++ == POLISH || tolerance == 0))
             break;
         if (s->steps < o->start_steps && o->start != NET_EXACT)
             approximate(net, o, s->t, w);
@@ -359,27 +369,97 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
     }
 }
 
+/* Of all ropes, a give that no longer matters to the stiffest one. */
+static double least_give(const struct net *net)
+{
+    double stiffest = 0;
+
+    for (int r = 0; r < net->m; r++)
+        stiffest = fmax(stiffest, net->rope[r].rope.law.EA);
+    return GIVE_END / stiffest;
+}
+
+/* Chords are smoothed along with it, as the tensions that are of no account any more. */
+static void set_give(struct net *net, double give, double reference)
+{
+    for (int r = 0; r < net->m; r++)
+        net->rope[r].rope.give = give;
+    net_smooth(net, reference, reference * sqrt(give * reference / 0.1));
+}
+
+/*
+ * The same with ropes that give, less and less: from a strain of a tenth at the reference force to
+ * nothing.  What a stage takes off is fitted to the number of steps that it needs; one that does
+ * not get along is begun again, with less.
+ */
+static enum status iterate_softly(struct net *net, const struct net_options *o, struct net_work *w,
+                                  struct net_state *s)
+{
+    size_t nx = 3 * sizeof *s->x * (size_t)net->n, nt = 3 * sizeof *s->t * (size_t)net->m;
+    double *x = mem_copy(s->x, nx), *t = mem_copy(s->t, nt);
+    double give = 0.1 / w->reference, last = give, off = 0.1, least = least_give(net);
+    enum status status = x && t ? SW_OK : SW_NOMEM;
+
+    while (status == SW_OK && off < GIVE_UP && s->steps < o->steps) {
+        int before = s->steps, first = last == give, room = first ? 4 * SOFT_STEPS : SOFT_STEPS;
+
+        set_give(net, give, w->reference);
+        status = iterate(net, o, 0, before + room < o->steps ? before + room : o->steps,
+                         first ? INT_MAX : 1, w, s);
+        if (status == SW_OK) {
+            memcpy(x, s->x, nx);
+            memcpy(t, s->t, nt);
+            off = s->steps - before <= SOFT_STEPS / 3 ? fmax(off * off, 1e-3) : off;
+            last = give;
+            if (give < least)
+                break;
+        } else if (status == SW_NOCONV && !first) {
+            memcpy(s->x, x, nx);
+            memcpy(s->t, t, nt);
+            off = sqrt(off);
+            status = SW_OK;
+        }
+        give = last * off;
+    }
+    set_give(net, 0, w->reference);
+    if (status == SW_OK)
+        status = iterate(net, o, o->tolerance, o->steps, 4 * SHORT_STEPS, w, s);
+    free(x);
+    free(t);
+    return status;
+}
+
 /*
  * Where ropes go slack their chords become steps of the tension, on which Newton's method creeps.
- * Then: the same with smooth chords first, epsilon falling from the ropes' whole load to what it
+ * Then: the same with smooth chords first, epsilon falling from the reference force to what it
  * shall be.
  */
 static enum status iterate_smoothly(struct net *net, const struct net_options *o,
                                     struct net_work *w, struct net_state *s)
 {
-    enum status status = iterate(net, o, o->tolerance, o->steps, SHORT_STEPS, w, s);
+    enum status status = net_begin(net, w, s);
 
-    if (status != SW_NOCONV || s->steps >= o->steps)
-        return status;
-    status = net_begin(net, w, s);
     for (int k = 0; k <= STAGES && status == SW_OK; k++) {
         int last = k == STAGES;
 
         net_smooth(net, w->reference, last ? 0 : w->reference * pow(0.1, k / 2.0));
-        status = iterate(net, o, last ? o->tolerance : 1e-4, o->steps, INT_MAX, w, s);
+        status = iterate(net, o, last ? o->tolerance : 0, o->steps, INT_MAX, w, s);
         if (status == SW_NOCONV && !last)
-            status = SW_OK; /* the next may do better */
+            status = SW_OK;
     }
+    return status;
+}
+
+/* One way after the other, from the quickest to the safest. */
+static enum status iterate_all_ways(struct net *net, const struct net_options *o,
+                                    struct net_work *w, struct net_state *s)
+{
+    enum status status = iterate(net, o, o->tolerance, o->steps, SHORT_STEPS, w, s);
+
+    if (status == SW_NOCONV && s->steps < o->steps)
+        status = iterate_softly(net, o, w, s);
+    if (status == SW_NOCONV && s->steps < o->steps)
+        status = iterate_smoothly(net, o, w, s);
     return status;
 }
 
@@ -438,7 +518,7 @@ enum status net_solve(struct net *net, const struct net_options *o, struct net_s
             s = net_begin(net, &w, ret);
     }
     if (s == SW_OK && o->method == NET_GAP)
-        s = iterate_smoothly(net, o, &w, ret);
+        s = iterate_all_ways(net, o, &w, ret);
     s = conclude(net, o, s, &w, ret);
     net_work_free(&w);
     if (s == SW_NOMEM)

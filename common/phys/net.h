@@ -56,6 +56,7 @@ struct net_options {
 
 struct net_step {
     double mean_gap, largest_gap; /* over the system's size */
+    double gap_of_rope;           /* largest over the rope's own length */
     double residual;              /* largest [N] */
     double factor;                /* by which the step was shortened */
 };

@@ -33,6 +33,7 @@ struct rope {
     double q[3];        /* uniform load [N] per unstretched metre */
     const double *load; /* (elements - 1, 3) at the joints [N], in place of q, or NULL; not owned */
     double epsilon;     /* [N], > 0 */
+    double give;        /* further strain for each N, while a solution is looked for [1/N] */
 };
 
 /* Symmetric 3 x 3: xx, xy, xz, yy, yz, zz. */
