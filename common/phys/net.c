@@ -348,7 +348,7 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
             approximate(net, o, s->t, w);
         status = net_find_step(net, w, &s->worst);
         if (status != SW_OK)
-            return met ? SW_OK : status;
+            return status; /* balance or not: it would not stay */
         factor = search(net, s, w);
         now = net_measure(net, w->t1, w, s);
         now.factor = factor;

@@ -234,6 +234,19 @@ static void place_nodes(const struct net *net, double *x)
                                                      : 0;
 }
 
+/* Where bars end, a guess tells which of several equilibria is meant. */
+static void keep_guesses(const struct net *net, double *dx)
+{
+    for (int r = 0; r < net->m; r++)
+        for (int end = 0; end < 2 && net_is_bar(&net->rope[r]); end++) {
+            int i = end ? net->rope[r].b : net->rope[r].a;
+
+            for (int c = 0; c < 3; c++)
+                if (!isnan(net->node[i].x[c]))
+                    dx[3 * i + c] = 0;
+        }
+}
+
 enum status net_begin(const struct net *net, struct net_work *w, struct net_state *s)
 {
     enum status status;
@@ -264,6 +277,7 @@ enum status net_begin(const struct net *net, struct net_work *w, struct net_stat
     status = net_find_step(net, w, &s->worst);
     if (status != SW_OK)
         return status;
+    keep_guesses(net, w->dx);
     for (int i = 0; i < 3 * net->n; i++)
         s->x[i] += w->dx[i];
     for (int i = 0; i < 3 * net->m; i++)
