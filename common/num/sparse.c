@@ -76,6 +76,7 @@ enum status sparse_new(int n, const struct place *place, size_t n_places, int *r
     cholmod_start(&ret->solver->common);
     ret->solver->common.print = 0;
     ret->solver->common.supernodal = CHOLMOD_AUTO;
+    ret->solver->common.final_ll = 1; /* L L^T also of small ones: L D L^T takes negative pivots */
     if (n > NESTED) { /* nested dissection costs more once, and saves a third of each factor */
         ret->solver->common.nmethods = 1;
         ret->solver->common.method[0].ordering = CHOLMOD_METIS;

@@ -326,6 +326,28 @@ static void approximate(const struct net *net, const struct net_options *o, cons
     }
 }
 
+/* On the way: bars that are pushed resist being turned as if they were pulled.  Whether there are
+ * any. */
+static int stiffen_bars(const struct net *net, const double *x, struct net_work *w)
+{
+    int any = 0;
+
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        const double *a = x + 3 * p->a, *b = x + 3 * p->b;
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        double *K = w->K + SYM * r, l = length(d), turn = 2 * length(w->bar + 3 * r) / l;
+
+        if (!net_is_bar(p) || !(l < p->rope.L0) || !(l > 0))
+            continue;
+        for (int i = 0, at = 0; i < 3; i++) /* K has -N/l across d: twice that is added */
+            for (int j = i; j < 3; j++, at++)
+                K[at] += turn * ((i == j) - d[i] * d[j] / (l * l));
+        any = 1;
+    }
+    return any;
+}
+
 /* Steps until the bounds are met, and a few more while they still bring something; at most to
  * step number `last`, or until so many steps in a row were short. */
 static enum status iterate(const struct net *net, const struct net_options *o, double tolerance,
@@ -347,6 +369,8 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
         if (s->steps < o->start_steps && o->start != NET_EXACT)
             approximate(net, o, s->t, w);
         status = net_find_step(net, w, &s->worst);
+        if (status == SW_INDEFINITE && !met && stiffen_bars(net, s->x, w))
+            status = net_find_step(net, w, &s->worst);
         if (status != SW_OK)
             return status; /* balance or not: it would not stay */
         factor = search(net, s, w);
