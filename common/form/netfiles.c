@@ -52,7 +52,7 @@ double net_unbalance(const struct system *p, const struct net_state *s, int *ret
             most = fabs(s->residual[i]);
             *ret_node = i / 3;
         }
-    return s->most > 0 ? most / s->most : most;
+    return s->scale > 0 ? most / s->scale : most;
 }
 
 /*

@@ -157,11 +157,13 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
     int counted = 0;
 
     s->most = 0;
+    s->scale = w->reference;
     for (int r = 0; r < net->m; r++) {
         double gap = length(w->gap + 3 * r) / s->size, ta[3], tb[3];
 
         ends(net, t, w, r, ta, tb);
         s->most = fmax(s->most, fmax(length(ta), length(tb)));
+        s->scale = fmax(s->scale, s->most);
         ret.mean_gap += gap;
         counted += !net_is_bar(&net->rope[r]);
         if (!(gap <= ret.largest_gap))
@@ -310,8 +312,8 @@ static void take(struct net_state *s, const struct net *net, const struct net_wo
 static int is_met(const struct net_step *p, const struct net_state *s, double tolerance)
 {
     if (tolerance == 0)
-        return p->gap_of_rope <= STAGE && p->residual <= STAGE * s->most;
-    return p->largest_gap <= tolerance && p->residual <= tolerance * s->most;
+        return p->gap_of_rope <= STAGE && p->residual <= STAGE * s->scale;
+    return p->largest_gap <= tolerance && p->residual <= tolerance * s->scale;
 }
 
 /* Stiffness of the first steps in place of the exact one. */

@@ -68,6 +68,7 @@ struct net_state {
                               support's reaction; owned */
     double size;           /* of the system [m] */
     double most;           /* largest tension [N] */
+    double scale;          /* the same, but not below the loads over the number of held nodes */
     struct net_step *step; /* (steps + 1) history; owned */
     int steps;
     int worst; /* node with the largest residual, or what makes it a mechanism */
