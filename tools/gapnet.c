@@ -218,7 +218,7 @@ static void print_results(const struct net_report *r)
         must(net_write(args.common.dir, &all, &state, r, &why), &why);
     } else if (!args.stiffness) {
         must(out_open(&o, args.common.out, &why), &why);
-        net_print_nodes(&all, &state, &o);
+        must(net_print_nodes(&all, &state, &o, &why), &why);
         must(out_close(&o, &why), &why);
     }
 }

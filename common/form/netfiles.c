@@ -59,14 +59,17 @@ double net_unbalance(const struct system *p, const struct net_state *s, int *ret
  * The load of a node is what is missing to the balance but for the ropes: residual - rope forces;
  * of a support minus the residual is its reaction.
  */
-void net_print_nodes(const struct system *p, const struct net_state *s, struct out *o)
+enum status net_print_nodes(const struct system *p, const struct net_state *s, struct out *o,
+                            struct why *why)
 {
     double *force = rope_forces(p, s);
 
+    if (!force)
+        return fail_plain(why, SW_NOMEM);
     fputs("node,x_m,y_m,z_m,fx_N,fy_N,fz_N,residual_N,load_x_N,load_y_N,load_z_N,support_x_N,"
           "support_y_N,support_z_N,held\n",
           o->f);
-    for (int i = 0; force && i < p->net.n; i++) {
+    for (int i = 0; i < p->net.n; i++) {
         const struct net_node *node = &p->net.node[i];
         const double *f = force + 3 * i, *missing = s->residual + 3 * i;
         double load[3], support[3], open[3];
@@ -90,6 +93,7 @@ void net_print_nodes(const struct system *p, const struct net_state *s, struct o
         putc('\n', o->f);
     }
     free(force);
+    return SW_OK;
 }
 
 void net_print_ropes(const struct system *p, const struct net_state *s, struct out *o)
@@ -276,7 +280,7 @@ static enum status print_file(int which, const struct system *p, const struct ne
                               const struct net_report *r, struct out *o, struct why *why)
 {
     switch (which) {
-    case NODES: net_print_nodes(p, s, o); return SW_OK;
+    case NODES: return net_print_nodes(p, s, o, why);
     case ROPES: net_print_ropes(p, s, o); return SW_OK;
     case SHAPES: return net_print_shapes(p, s, o, why);
     case HISTORY: net_print_history(s, o); return SW_OK;

@@ -17,10 +17,11 @@ struct net_report {
 /* Points of a continuous rope in the table of shapes. */
 #define SHAPE_POINTS 21
 
-void net_print_nodes(const struct system *p, const struct net_state *s, struct out *o);
 void net_print_ropes(const struct system *p, const struct net_state *s, struct out *o);
 
 /* SW_NOMEM. */
+enum status net_print_nodes(const struct system *p, const struct net_state *s, struct out *o,
+                            struct why *why);
 enum status net_print_shapes(const struct system *p, const struct net_state *s, struct out *o,
                              struct why *why);
 

@@ -388,6 +388,8 @@ static enum status judge_net(const struct system *p, struct why *why)
     reason = net_refused(&p->net, &is_rope, &at);
     if (!reason)
         return SW_OK;
+    if (at < 0)
+        return fail_plain(why, SW_NOMEM);
     sheet_fail(why, is_rope ? &p->ropes : &p->nodes, at, "%s", reason);
     return SW_ADMISSIBLE;
 }

@@ -77,11 +77,10 @@ enum status sparse_new(int n, const struct place *place, size_t n_places, int *r
     ret->solver->common.print = 0;
     ret->solver->common.supernodal = CHOLMOD_AUTO;
     ret->solver->common.final_ll = 1; /* L L^T also of small ones: L D L^T takes negative pivots */
-    if (n > NESTED) { /* nested dissection costs more once, and saves a third of each factor */
-        ret->solver->common.nmethods = 1;
-        ret->solver->common.method[0].ordering = CHOLMOD_METIS;
-        ret->solver->common.postorder = 1;
-    }
+    ret->solver->common.nmethods = 1; /* nested dissection costs more once, and saves a third of
+                                         each factor */
+    ret->solver->common.method[0].ordering = n > NESTED ? CHOLMOD_METIS : CHOLMOD_AMD;
+    ret->solver->common.postorder = 1;
     for (size_t k = 0; k < n_places; k++)
         ret_at[k] = sparse_at(ret, place[k].row, place[k].column);
     return SW_OK;

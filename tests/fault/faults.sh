@@ -14,6 +14,8 @@ a,100,2,1e6,3,,
 END
 
 cp "$top/scripts/experiments/lifts/cases.csv" lifts.csv
+cp -r "$top/scripts/experiments/nets/mooring" net
+gapnet -d solved --rope chain --set solve.elements=2 net/system.ini
 printf 'type,v_m,z_m,z_m_tol,phi_deg\nprimary,6,2,0.2,30\n' >lift.csv
 
 # Until the file has content, ten seconds at most.
@@ -38,6 +40,9 @@ run()
     sling) sling -o result/out.csv --set name=x lifts.csv ;;
     lift) sling -o result/out.csv --samples 10 --derivatives --design v_m=3 lift.csv ;;
     contour) sling -o result/out.csv --contour z_m=0:1:3,v_m=3:5:3 lift.csv ;;
+    gapnet) gapnet -o result/out.csv --rope chain --stiffness B1 net/system.ini ;;
+    gapnodes) gapnet -o result/out.csv --verify --set solve.elements=2 --rope chain net/system.ini ;;
+    gapcheck) gapcheck -o result/out.csv solved ;;
     table) catenary --table -o result/out.csv table.csv ;;
     stiffness) catenary --stiffness -o result/out.csv --set cable.unstressed_length= \
         --set cable.fundamental_frequency=1.25 stay.ini ;;
@@ -96,7 +101,8 @@ output()
 }
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
-    for tool in catenary modal diffverf print table stiffness sling lift contour; do
+    for tool in catenary modal diffverf print table stiffness sling lift contour gapnet gapnodes \
+        gapcheck; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done
