@@ -1,6 +1,7 @@
 /* gapnet: equilibrium of systems of ropes and nets by the gap method. */
 #include "form/netfiles.h"
 #include "form/start.h"
+#include "sys/number.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 
 static struct {
     struct opt_common common;
-    const char *method, *rope, *step, *stiffness;
+    const char *method, *rope, *step, *stiffness, *about;
     int verify, lint;
 } args;
 
@@ -21,6 +22,8 @@ static const struct opt options[] = {
     {"verify", 0, OPT_FLAG, &args.verify, NULL, "solve by a second method and compare", 0, 0},
     {"stiffness", 0, OPT_TEXT, &args.stiffness, "NODES",
      "stiffness of these nodes (a,b,...), condensed on the rest", 0, 0},
+    {"about", 0, OPT_TEXT, &args.about, "X,Y,Z", "--stiffness: of a rigid body that carries them",
+     0, 0},
     {"lint", 0, OPT_FLAG, &args.lint, NULL, "only check the system", 0, 0},
     OPT_COMMON(&args.common),
 };
@@ -138,6 +141,9 @@ static double verify(void)
         most = fmax(most, fabs(second.x[i] - state.x[i]));
     net_state_free(&second);
     note("%s and %s differ by %.3g m", method_name(c.method), method_name(other), most);
+    if (most > 1e-6 * state.size)
+        warn("another equilibrium was found: method %s puts nodes up to %.6g m away",
+             method_name(other), most);
     return most;
 }
 
@@ -183,10 +189,29 @@ static int choose(int *ret)
     return k;
 }
 
+/* The point of --about. */
+static void read_about(double ret[3])
+{
+    char copy[200], *word, *rest = NULL;
+    int n = 0;
+
+    if (snprintf(copy, sizeof copy, "%s", args.about) >= (int)sizeof copy)
+        die(SW_USAGE, "option --about: too long");
+    for (word = strtok_r(copy, ",", &rest); word; word = strtok_r(NULL, ",", &rest)) {
+        const char *reason = n < 3 ? number_read(word, &ret[n]) : "more than three numbers";
+
+        if (reason)
+            die(SW_USAGE, "option --about: '%s': %s", word, reason);
+        n++;
+    }
+    if (n < 3)
+        die(SW_USAGE, "option --about: three numbers are expected, X,Y,Z");
+}
+
 static void print_stiffness(void)
 {
     int *chosen = malloc(sizeof *chosen * (size_t)all.net.n), k;
-    double *K;
+    double *K, about[3];
     struct out o;
     struct why why;
     enum status s;
@@ -194,15 +219,24 @@ static void print_stiffness(void)
     if (!chosen)
         die(SW_NOMEM, "%s", status_text(SW_NOMEM));
     k = choose(chosen);
-    K = calloc(9 * (size_t)k * (size_t)k + 1, sizeof *K);
-    s = K ? net_stiffness(&all.net, &state, chosen, k, K) : SW_NOMEM;
+    if (args.about)
+        read_about(about);
+    K = calloc(args.about ? 36 : 9 * (size_t)k * (size_t)k + 1, sizeof *K);
+    if (!K)
+        die(SW_NOMEM, "%s", status_text(SW_NOMEM));
+    s = args.about ? net_body_stiffness(&all.net, &state, chosen, k, about, K)
+                   : net_stiffness(&all.net, &state, chosen, k, K);
     if (s != SW_OK)
         die(s, "stiffness: %s", status_text(s));
     if (args.common.dir) {
-        must(net_write_stiffness(args.common.dir, &all, chosen, k, K, &why), &why);
+        must(net_write_stiffness(args.common.dir, &all, chosen, k, args.about != NULL, K, &why),
+             &why);
     } else {
         must(out_open(&o, args.common.out, &why), &why);
-        net_print_stiffness(&all, chosen, k, K, &o);
+        if (args.about)
+            net_print_body(K, &o);
+        else
+            net_print_stiffness(&all, chosen, k, K, &o);
         must(out_close(&o, &why), &why);
     }
     free(chosen);
@@ -232,6 +266,8 @@ int main(int argc, char **argv)
 
     if (operand != argc - 1)
         opt_usage(&tool);
+    if (args.about && !args.stiffness)
+        die(SW_USAGE, "option --about belongs to --stiffness");
     load(argv[operand]);
     if (args.lint)
         return system_lint(&all, tell) > 0;

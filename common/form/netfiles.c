@@ -100,21 +100,23 @@ void net_print_ropes(const struct system *p, const struct net_state *s, struct o
 {
     fputs("rope,tension_a_N,tension_b_N,tension_max_N,tension_min_N,length_m,length_on_bed_m,"
           "ta_x_N,ta_y_N,ta_z_N,tb_x_N,tb_y_N,tb_z_N,node_a,node_b,unstretched_m,elements,ea_N,"
-          "use,remark\n",
+          "use,lowest_z_m,remark\n",
           o->f);
     for (int r = 0; r < p->net.m; r++) {
         const struct net_rope *rope = &p->net.rope[r];
-        double breaking = p->type[p->type_of[r]].breaking, ta[3], tb[3], most, least, length;
+        double breaking = p->type[p->type_of[r]].breaking, ta[3], tb[3], most, least, length, low;
         int bar = rope->rope.elements == 1;
 
         net_ends(&p->net, s, r, ta, tb);
         rope_extremes(&rope->rope, ta, &most, &least);
         length = rope_length(&rope->rope, ta);
+        low = s->x[3 * rope->a + 2] + rope_lowest(&rope->rope, ta);
         if (bar) {
             const double *a = s->x + 3 * rope->a, *b = s->x + 3 * rope->b;
             const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 
             length = size(d);
+            low = fmin(a[2], b[2]);
             most = least = length < rope->rope.L0 ? -size(ta) : size(ta); /* compression */
         }
         out_cell(o, system_rope(p, r));
@@ -131,6 +133,7 @@ void net_print_ropes(const struct system *p, const struct net_state *s, struct o
         putc(',', o->f);
         if (isfinite(breaking))
             out_number(o, most / breaking);
+        cells(&low, 1, o);
         fprintf(o->f, ",%s\n",
                 bar && most < 0                 ? "compression"
                 : most > breaking               ? "over its breaking load"
@@ -254,6 +257,19 @@ void net_print_stiffness(const struct system *p, const int *chosen, int k, const
     putc('\n', o->f);
 }
 
+void net_print_body(const double K[36], struct out *o)
+{
+    static const char *const force[6] = {"fx_N", "fy_N", "fz_N", "mx_Nm", "my_Nm", "mz_Nm"};
+
+    fputs("force,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad", o->f);
+    for (int i = 0; i < 6; i++) {
+        fprintf(o->f, "\n%s", force[i]);
+        for (int j = 0; j < 6; j++)
+            cells(&K[i + 6 * j], 1, o);
+    }
+    putc('\n', o->f);
+}
+
 /* DIR/name, allocated. */
 static char *path_in(const char *dir, const char *name)
 {
@@ -311,9 +327,10 @@ enum status net_write(const char *dir, const struct system *p, const struct net_
 }
 
 enum status net_write_stiffness(const char *dir, const struct system *p, const int *chosen, int k,
-                                const double *K, struct why *why)
+                                int body, const double *K, struct why *why)
 {
     static const char *const name[2] = {"stiffness.csv", "stiffness.npy"};
+    size_t n = body ? 6 : 3 * (size_t)k;
     enum status s = make_dir(dir, why);
 
     for (int i = 0; i < 2 && s == SW_OK; i++) {
@@ -322,10 +339,12 @@ enum status net_write_stiffness(const char *dir, const struct system *p, const i
 
         s = path ? out_open(&o, path, why) : fail_plain(why, SW_NOMEM);
         if (s == SW_OK) {
-            if (i == 0)
-                net_print_stiffness(p, chosen, k, K, &o);
+            if (i == 1)
+                npy_write(&o, 2, n, n, K);
+            else if (body)
+                net_print_body(K, &o);
             else
-                npy_write(&o, 2, 3 * (size_t)k, 3 * (size_t)k, K);
+                net_print_stiffness(p, chosen, k, K, &o);
             s = out_close(&o, why);
         }
         free(path);

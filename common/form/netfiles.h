@@ -38,9 +38,12 @@ enum status net_write(const char *dir, const struct system *p, const struct net_
 void net_print_stiffness(const struct system *p, const int *chosen, int k, const double *K,
                          struct out *o);
 
+/* Of a rigid body: (6, 6). */
+void net_print_body(const double K[36], struct out *o);
+
 /* The same to dir/stiffness.csv and dir/stiffness.npy.  SW_WRITE. */
 enum status net_write_stiffness(const char *dir, const struct system *p, const int *chosen, int k,
-                                const double *K, struct why *why);
+                                int body, const double *K, struct why *why);
 
 /* Largest residual of a free node over the largest tension, and the node (-1: none). */
 double net_unbalance(const struct system *p, const struct net_state *s, int *ret_node);

@@ -26,7 +26,7 @@ static const struct sheet_column node_column[N_NODE] = {
     {"fy_N", 1},     {"fz_N", 1},        {"residual_N", 1},  {"load_x_N", 1},    {"load_y_N", 1},
     {"load_z_N", 1}, {"support_x_N", 1}, {"support_y_N", 1}, {"support_z_N", 1}, {"held", 1}};
 
-enum { ROPE, END_A = 7, END_B = 10, A = 13, B, UNSTRETCHED, ELEMENTS, STIFFNESS, N_ROPE = 20 };
+enum { ROPE, END_A = 7, END_B = 10, A = 13, B, UNSTRETCHED, ELEMENTS, STIFFNESS, N_ROPE = 21 };
 static const struct sheet_column rope_column[N_ROPE] = {{"rope", 1},
                                                         {"tension_a_N", 1},
                                                         {"tension_b_N", 1},
@@ -46,6 +46,7 @@ static const struct sheet_column rope_column[N_ROPE] = {{"rope", 1},
                                                         {"elements", 1},
                                                         {"ea_N", 1},
                                                         {"use", 0},
+                                                        {"lowest_z_m", 0},
                                                         {"remark", 0}};
 
 enum {

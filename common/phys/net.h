@@ -98,4 +98,13 @@ void net_ends(const struct net *net, const struct net_state *s, int r, double ta
 enum status net_stiffness(const struct net *net, const struct net_state *s, const int *chosen,
                           int k, double *K);
 
+/*
+ * The same of a rigid body that carries the chosen nodes, about a point: K (6, 6), column-major,
+ * force and moment [N, N m] needed per displacement and small rotation [m, rad].  The forces that
+ * hold the nodes turn their levers with the body: with p the force on a node at r from the point, a
+ * rotation w brings r p.w - (p.r) w to the moment.
+ */
+enum status net_body_stiffness(const struct net *net, const struct net_state *s, const int *chosen,
+                               int k, const double about[3], double K[36]);
+
 #endif

@@ -91,6 +91,51 @@ enum status net_stiffness(const struct net *net, const struct net_state *s, cons
     return status;
 }
 
+/* Displacement of a point at r of the body for its j-th freedom: along x, y, z, about x, y, z. */
+static void follow(int j, const double r[3], double ret[3])
+{
+    ret[0] = ret[1] = ret[2] = 0;
+    if (j < 3) {
+        ret[j] = 1;
+        return;
+    }
+    ret[(j + 1) % 3] = -r[(j + 2) % 3]; /* unit rotation times r */
+    ret[(j + 2) % 3] = r[(j + 1) % 3];
+}
+
+enum status net_body_stiffness(const struct net *net, const struct net_state *s, const int *chosen,
+                               int k, const double about[3], double K[36])
+{
+    size_t n = 3 * (size_t)k;
+    double *nodes = mem_doubles(n * n), *move = mem_doubles(6 * n);
+    enum status status = nodes && move ? net_stiffness(net, s, chosen, k, nodes) : SW_NOMEM;
+
+    memset(K, 0, 36 * sizeof *K);
+    for (int i = 0; i < k && status == SW_OK; i++) {
+        double r[3], p[3], dot = 0;
+
+        for (int c = 0; c < 3; c++) {
+            r[c] = s->x[3 * chosen[i] + c] - about[c];
+            p[c] = -s->residual[3 * chosen[i] + c];
+            dot += p[c] * r[c];
+        }
+        for (int j = 0; j < 6; j++)
+            follow(j, r, move + n * (size_t)j + 3 * i);
+        for (int c = 0; c < 3; c++)
+            for (int d = 0; d < 3; d++)
+                K[3 + c + 6 * (3 + d)] += r[c] * p[d] - (c == d ? dot : 0);
+    }
+    for (int a = 0; a < 6 && status == SW_OK; a++)
+        for (int b = 0; b < 6; b++)
+            for (size_t i = 0; i < n; i++)
+                for (size_t j = 0; j < n; j++)
+                    K[a + 6 * b] +=
+                        move[n * (size_t)a + i] * nodes[i + n * j] * move[n * (size_t)b + j];
+    free(nodes);
+    free(move);
+    return status;
+}
+
 void net_ends(const struct net *net, const struct net_state *s, int r, double ta[3], double tb[3])
 {
     double load[3] = {0, 0, 0};

@@ -260,6 +260,30 @@ void rope_extremes(const struct rope *r, const double t[3], double *ret_most, do
     }
 }
 
+double rope_lowest(const struct rope *r, const double t[3])
+{
+    double x[3] = {0, 0, 0}, at[3] = {t[0], t[1], t[2]}, load[3], least = 0;
+
+    for (int k = 1; k <= r->elements; k++) {
+        add_element(r, r->L0 / r->elements, at, x, NULL, NULL);
+        least = fmin(least, x[2]);
+        if (k < r->elements)
+            joint_load(r, k, load);
+        for (int i = 0; i < 3 && k < r->elements; i++)
+            at[i] -= load[i];
+    }
+    if (r->elements > 0)
+        return least;
+    continuous_chord(r, t, r->L0, x, NULL);
+    least = fmin(0, x[2]);
+    if (r->q[2] < 0 && t[2] < 0 && t[2] - r->q[2] * r->L0 > 0) { /* where it is level */
+        x[0] = x[1] = x[2] = 0;
+        continuous_chord(r, t, t[2] / r->q[2], x, NULL);
+        least = fmin(least, x[2]);
+    }
+    return least;
+}
+
 /* int sqrt(H^2 + v^2) dv from 0. */
 static double primitive(double H2, double v)
 {

@@ -64,6 +64,9 @@ void rope_points(const struct rope *r, const double t[3], int n, struct rope_poi
 /* Largest and least tension [N]. */
 void rope_extremes(const struct rope *r, const double t[3], double *ret_most, double *ret_least);
 
+/* How far its lowest point lies above a, 0 or less [m]. */
+double rope_lowest(const struct rope *r, const double t[3]);
+
 /* Stretched length [m]. */
 double rope_length(const struct rope *r, const double t[3]);
 
