@@ -103,7 +103,7 @@ static int end_height(const struct row_box *r, const struct box *b, int end, str
 /* judge_height over the box; 0: the box leaves what can be hung. */
 static int height(const struct row_box *r, const struct box *b, struct span *ret)
 {
-    struct span share, h1, h2, r1, r2, weight;
+    struct span share, h1, h2, r1, r2;
 
     if (r->l->ends == 1)
         return end_height(r, b, 0, span_none(), ret, &r1);
@@ -112,10 +112,9 @@ static int height(const struct row_box *r, const struct box *b, struct span *ret
         !end_height(r, b, 2, complement(share), &h2, &r2))
         return 0;
     *ret = span_add(span_mul(share, span_sub(h1, h2)), h2);
-    weight = span_div(share, complement(share)); /* of end 1 over that of end 2 */
-    weight = span_div(span_mul(weight, r2), r1);
-    weight = complement(span_div(span_of(r->n, 1), span_add(span_of(r->n, 1), weight)));
-    *ret = span_min(*ret, span_add(span_mul(weight, span_sub(h1, h2)), h2));
+    h1 = span_div(h1, r1);
+    h2 = span_div(h2, r2);
+    *ret = span_min(*ret, span_add(span_mul(share, span_sub(h1, h2)), h2));
     return 1;
 }
 

@@ -29,16 +29,13 @@ static void find(const struct lift *l, struct found *f)
     }
 }
 
-/* Offset over tilt of a stiff load that both ends share: sum of share h/r. */
-static double by_load(const struct lift *l, const struct found *f)
-{
-    return l->share[0] * f->h[0] / f->heights[0].r + l->share[1] * f->h[1] / f->heights[1].r;
-}
-
-/* The same as a mean of h, weights share/r, so that equal ends have the h of each. */
+/*
+ * Offset over tilt of a stiff load, which both ends share: the potential of end k over that tilt,
+ * its spreader and swing relaxed, is m_k g (h_k/r_k)/2 times its square, and potentials add.
+ */
 static double coupled(const struct lift *l, const struct found *f)
 {
-    return by_load(l, f) / (l->share[0] / f->heights[0].r + l->share[1] / f->heights[1].r);
+    return l->share[0] * f->h[0] / f->heights[0].r + l->share[1] * f->h[1] / f->heights[1].r;
 }
 
 /* (36). */
@@ -113,15 +110,14 @@ static double between(const struct lift *l, double x1, double x2)
 static void judge_pair(const struct lift *l, const struct found *f, struct judgement *ret)
 {
     struct judged_end *end = ret->end;
-    double h_load = by_load(l, f), tilt = h_load > 0 ? l->offset / h_load : NAN;
+    double h = coupled(l, f), tilt = h > 0 ? l->offset / h : NAN;
 
     ret->h = ret->view[RIGGING_CROSS] = joint(l, f);
     ret->document[RIGGING_CROSS] = ret->document_least =
         between(l, f->heights[0].document[f->view[0]], f->heights[1].document[f->view[1]]);
-    ret->coupled = coupled(l, f);
-    ret->least = fmin(ret->h, ret->coupled);
-    ret->rise =
-        h_load; /* raising G by dz takes m g dz from the stiffness against the load's tilt */
+    ret->coupled = h;
+    ret->least = fmin(ret->h, h);
+    ret->rise = h; /* raising G by dz takes m g dz from the stiffness against the load's tilt */
     ret->z_critical = l->end[0].z + ret->rise;
     for (int k = 0; k < 2; k++)
         judge_end(l, f, k, tilt, &end[k]);

@@ -2,8 +2,9 @@
  * What sling says of an arrangement: heights, what would make them zero, forces, verdict and why.
  *
  * The verdict stands on the worst view by the corrected formulas, and in a pair on the lesser of
- * two joint heights: (36) takes the tilts of both ends as one, while a stiff load makes its ends
- * tilt alike, and the spreaders with h_k/r_k, r_k tilt of the load over that of the spreader.
+ * two joint heights: (36) adds heights over the tilts of the spreaders, while what both ends share
+ * is the tilt of a stiff load, over which end k has the height h_k/r_k, r_k tilt of the load over
+ * that of its spreader.
  */
 #ifndef SEILWERK_FORM_JUDGE_H
 #define SEILWERK_FORM_JUDGE_H
@@ -19,7 +20,7 @@ const char *verdict_name(enum verdict v);
 struct judgement {
     double c, h;    /* as published, corrected where theory says so; h in the worst view */
     double least;   /* the height that judges */
-    double coupled; /* in a pair, of ends that tilt with a stiff load */
+    double coupled; /* in a pair over the tilt of a stiff load: sum of shares of h/r */
     double view[RIGGING_VIEWS]; /* h in each */
     double document[RIGGING_VIEWS], document_least;
     double z_critical, rise; /* z at which stability ends; how far the centre may rise */
