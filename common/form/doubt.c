@@ -257,6 +257,43 @@ int doubt_greatest(const struct lift_given *g, const double slopes[LIFT_NUMBERS]
     return ret;
 }
 
+static double use_at(const struct lift_given *g)
+{
+    struct lift l;
+    struct why why;
+
+    return lift_make(g, &l, &why) == SW_OK ? judge_use(&l) : NAN;
+}
+
+double doubt_use(const struct lift_given *g, const struct lift *l)
+{
+    struct lift_given at = *g;
+    double use = judge_use(l);
+    int any = 0;
+
+    at.loose = 1;
+    for (int i = 0; i < LIFT_NUMBERS; i++)
+        any |= g->tol[i] > 0;
+    if (!any || isnan(use))
+        return NAN;
+    for (int i = 0; i < 2 * LIFT_NUMBERS;
+         i++) { /* twice: what the second one does may turn the first */
+        int k = i % LIFT_NUMBERS;
+
+        for (int side = -1; side <= 1 && g->tol[k] > 0 && !isnan(g->x[k]); side += 2) {
+            double before = at.x[k], now;
+
+            at.x[k] = g->x[k] + side * g->tol[k];
+            now = use_at(&at);
+            if (now > use)
+                use = now;
+            else
+                at.x[k] = before;
+        }
+    }
+    return use;
+}
+
 /* splitmix64: well mixed bits of any number. */
 static uint64_t mix(uint64_t x)
 {

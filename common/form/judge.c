@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 const char *verdict_name(enum verdict v)
 {
@@ -52,6 +53,20 @@ double judge_height(const struct lift *l)
     return l->ends == 1 ? f.h[0] : fmin(joint(l, &f), coupled(l, &f));
 }
 
+static void clear(struct judgement *j)
+{
+    static const struct righting none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+
+    j->c = j->h = j->least = j->coupled = j->document_least = NAN;
+    j->z_critical = j->rise = j->v_critical = j->gamma_critical = NAN;
+    j->centre = j->virtual_centre = j->use_primary = j->use_secondary = NAN;
+    for (int i = 0; i < RIGGING_VIEWS; i++)
+        j->view[i] = j->document[i] = NAN;
+    j->at = none;
+    for (int k = 0; k < 2; k++)
+        j->end[k] = (struct judged_end){NAN, NAN, NAN, NAN, NAN, NAN, NAN, none};
+}
+
 /* Greatest force over limit. */
 static double use_of(const struct righting *at, double wll, int secondary)
 {
@@ -60,7 +75,9 @@ static double use_of(const struct righting *at, double wll, int secondary)
            wll;
 }
 
-static void judge_one(const struct lift *l, const struct found *f, struct judgement *ret)
+/* critical: with what would make h zero. */
+static void judge_one(const struct lift *l, const struct found *f, int critical,
+                      struct judgement *ret)
 {
     const struct suspension *a = &l->end[0];
     const struct rigging_heights *heights = &f->heights[0];
@@ -73,10 +90,12 @@ static void judge_one(const struct lift *l, const struct found *f, struct judgem
         ret->document[i] = heights->document[i];
     }
     ret->document_least = rigging_least(heights->document, &ignored);
-    ret->z_critical = rigging_critical_z(a);
-    ret->rise = ret->z_critical - a->z;
-    ret->v_critical = rigging_critical_v(a);
-    ret->gamma_critical = rigging_critical_gamma(a);
+    if (critical) {
+        ret->z_critical = rigging_critical_z(a);
+        ret->rise = ret->z_critical - a->z;
+        ret->v_critical = rigging_critical_v(a);
+        ret->gamma_critical = rigging_critical_gamma(a);
+    }
     ret->centre = heights->centre[view] - a->z;
     ret->virtual_centre = ret->centre - ret->h;
     righting_at(a, view, ret->h, ret->h > 0 ? l->offset / ret->h : NAN, &ret->at);
@@ -211,17 +230,59 @@ static double greatest_use(const struct lift *l, const struct judgement *j)
     return use;
 }
 
-static void decide(const struct lift *l, const struct found *f, double limit, double worst,
+double judge_use(const struct lift *l)
+{
+    struct judgement j;
+    struct found f;
+
+    clear(&j);
+    find(l, &f);
+    if (l->ends == 1)
+        judge_one(l, &f, 0, &j);
+    else
+        judge_pair(l, &f, &j);
+    return greatest_use(l, &j);
+}
+
+/* The exact height beside that of the formula: edges count where they make it less. */
+static double exact_height(const struct exact *e)
+{
+    return e ? fmin(e->h, e->contact) : INFINITY; /* fmin of NAN is the other */
+}
+
+/* What exact statics find wrong, whatever the formulas say; 0: nothing. */
+static int refute(const struct lift *l, const struct exact *e, const char *h, struct judgement *j)
+{
+    if (!e)
+        return 0;
+    if (!(exact_height(e) > 0))
+        say(j, VERDICT_UNSTABLE,
+            "exact statics: h = %.4g m is not above 0; by the formula %s = %.4g m", exact_height(e),
+            h, j->least);
+    else if (!e->stable)
+        say(j, VERDICT_UNSTABLE, "exact statics: not stable, omega^2 = %.4g /s2, %s; %s = %.4g m",
+            e->omega2, e->mode, h, j->least);
+    else if (e->lost)
+        say(j, VERDICT_UNSTABLE,
+            "exact statics: the offset of %.4g m capsizes it, stability ends at %.4g m; %s = %.4g "
+            "m",
+            l->offset, e->offset_lost, h, j->least);
+    else
+        return 0;
+    return 1;
+}
+
+/* What leaves a lift without verdict; 0: nothing. */
+static int abstain(const struct lift *l, const struct judge_by *by, const char *h,
                    struct judgement *j)
 {
-    const char *h = where(l, f), *by = rule(l, f, j);
     const struct suspension *narrow = narrow_spreader(l);
+    const struct exact *e = by->exact;
+    double use = greatest_use(l, j);
 
-    if (isnan(j->least))
-        say(j, VERDICT_NONE, "no height could be computed");
-    else if (!(j->least > 0))
-        say(j, VERDICT_UNSTABLE, "%s = %.4g m is not above 0: %s", h, j->least, by);
-    else if (without_angle(l))
+    for (int i = 0; i < EXACT_PARTS && e; i++)
+        use = fmax(use, e->use[i]);
+    if (without_angle(l))
         say(j, VERDICT_NONE,
             "phi is missing and no base gives it: slings of less than 5 deg need another rule "
             "(1.3.1);"
@@ -232,53 +293,98 @@ static void decide(const struct lift *l, const struct found *f, double limit, do
             "phi < 5 deg and z > v tan(phi) = %.4g m under a spreader: no rule is known; %s = %.4g "
             "m",
             narrow->v * narrow->T[isnan(narrow->T[RIGGING_LONG])], h, j->least);
-    else if (greatest_use(l, j) > 1)
-        say(j, VERDICT_NONE, "a sling bears %.4g of its working load limit; %s = %.4g m",
-            greatest_use(l, j), h, j->least);
-    else if (j->at.primary_high < 0 || j->at.secondary_high < 0)
+    else if (use > 1)
+        say(j, VERDICT_NONE, "a sling bears %.4g of its working load limit; %s = %.4g m", use, h,
+            j->least);
+    else if (by->use > 1)
+        say(j, VERDICT_NONE,
+            "a sling may bear %.4g of its working load limit within the tolerances; %s = %.4g m",
+            by->use, h, j->least);
+    else if (j->at.primary_high < 0 || j->at.secondary_high < 0 ||
+             (e && l->offset > 0 && e->slack > 0 && !e->indeterminate))
         say(j, VERDICT_NONE, "the offset of %.4g m makes a sling slack: tilt %.4g deg; %s = %.4g m",
-            l->offset, j->at.load * 57.29577951308232, h, j->least);
-    else if (j->least < limit)
+            l->offset, (e ? e->tilt_load : j->at.load) * 57.29577951308232, h, j->least);
+    else if (by->inexact)
+        say(j, VERDICT_NONE, "%s; by the formula %s = %.4g m", by->inexact, h, j->least);
+    else
+        return 0;
+    return 1;
+}
+
+/* A height above 0, against the limit and the tolerances. */
+static void compare(const struct lift *l, const struct found *f, const struct judge_by *by,
+                    struct judgement *j)
+{
+    const char *h = where(l, f), *formula = rule(l, f, j);
+    double exact = exact_height(by->exact), limit = by->limit;
+    double worst = by->worst - fmax(0, isinf(exact) ? 0 : j->least - exact);
+
+    if (j->least < limit)
         say(j, VERDICT_MARGINAL, "%s = %.4g m is below the limit %.4g m: %s", h, j->least, limit,
-            by);
+            formula);
+    else if (exact < limit)
+        say(j, VERDICT_MARGINAL,
+            "%s = %.4g m but by exact statics %.4g m is below the limit %.4g m: %s", h, j->least,
+            exact, limit, formula);
     else if (isinf(worst))
         say(j, VERDICT_MARGINAL, "%s = %.4g m but the tolerances reach what is no arrangement: %s",
-            h, j->least, by);
+            h, j->least, formula);
     else if (!isnan(worst) && !(worst > 0 && worst >= limit))
         say(j, VERDICT_MARGINAL, "%s = %.4g m but %.4g m within the tolerances; limit %.4g m: %s",
-            h, j->least, worst, limit, by);
+            h, j->least, worst, limit, formula);
     else if (limit > 0)
         say(j, VERDICT_STABLE, "%s = %.4g m is not below the limit %.4g m: %s", h, j->least, limit,
-            by);
+            formula);
     else
-        say(j, VERDICT_STABLE, "%s = %.4g m is above 0: %s", h, j->least, by);
+        say(j, VERDICT_STABLE, "%s = %.4g m is above 0: %s", h, j->least, formula);
 }
 
-static void clear(struct judgement *j)
+/* Both numbers where they differ, and what contact does, which no verdict stands on. */
+static void add_exact(const struct lift *l, const struct exact *e, struct judgement *j)
 {
-    static const struct righting none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    double formula = l->ends == 2 ? j->coupled : j->h, exact = exact_height(e);
+    size_t n = strlen(j->why);
 
-    j->c = j->h = j->least = j->coupled = j->document_least = NAN;
-    j->z_critical = j->rise = j->v_critical = j->gamma_critical = NAN;
-    j->centre = j->virtual_centre = j->use_primary = j->use_secondary = NAN;
-    for (int i = 0; i < RIGGING_VIEWS; i++)
-        j->view[i] = j->document[i] = NAN;
-    j->at = none;
-    for (int k = 0; k < 2; k++)
-        j->end[k] = (struct judged_end){NAN, NAN, NAN, NAN, NAN, NAN, NAN, none};
+    if (formula != exact && !(fabs(formula - exact) <= 1e-6 * (1 + fabs(formula))))
+        snprintf(j->why + n, sizeof j->why - n, "; exact statics %.4g m", exact);
+    n = strlen(j->why);
+    if (e->by_contact)
+        snprintf(j->why + n, sizeof j->why - n,
+                 "; only the edges of the load hold it, at a tilt of %.3g deg",
+                 e->rest * 57.29577951308232);
 }
 
-void judge(const struct lift *l, double limit, double worst, struct judgement *ret)
+static void decide(const struct lift *l, const struct found *f, const struct judge_by *by,
+                   struct judgement *j)
+{
+    const char *h = where(l, f);
+
+    if (isnan(j->least))
+        say(j, VERDICT_NONE, "no height could be computed");
+    else if (!(j->least > 0))
+        say(j, VERDICT_UNSTABLE, "%s = %.4g m is not above 0: %s", h, j->least, rule(l, f, j));
+    else if (!refute(l, by->exact, h, j) && !abstain(l, by, h, j))
+        compare(l, f, by, j);
+    if (by->exact)
+        add_exact(l, by->exact, j);
+}
+
+void judge_by(const struct lift *l, const struct judge_by *by, struct judgement *ret)
 {
     struct found f;
 
     clear(ret);
     find(l, &f);
     if (l->ends == 1)
-        judge_one(l, &f, ret);
+        judge_one(l, &f, 1, ret);
     else
         judge_pair(l, &f, ret);
-    decide(l, &f, limit, worst, ret);
+    decide(l, &f, by, ret);
+}
+
+void judge(const struct lift *l, double limit, double worst, struct judgement *ret)
+{
+    judge_by(l, &(struct judge_by){.limit = limit, .worst = worst, .use = NAN}, ret);
 }
 
 void judge_not(const char *reason, struct judgement *ret)

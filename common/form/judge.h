@@ -9,6 +9,7 @@
 #ifndef SEILWERK_FORM_JUDGE_H
 #define SEILWERK_FORM_JUDGE_H
 
+#include "form/exact.h"
 #include "form/lift.h"
 #include "phys/righting.h"
 
@@ -33,14 +34,28 @@ struct judgement {
         struct righting at;
     } end[2]; /* of a pair */
     enum verdict verdict;
-    char why[240];
+    char why[400];
 };
 
 /* The height that judges, alone: for the many arrangements of samples and tables. */
 double judge_height(const struct lift *l);
 
-/* worst: least height within the tolerances, NAN: none are given.  limit: below it the verdict is
- * marginal. */
+/* The greatest force of a sling over its working load limit, at the offset; NAN: not known. */
+double judge_use(const struct lift *l);
+
+/* What a verdict depends on beside the arrangement.  NAN: not asked for. */
+struct judge_by {
+    double limit;              /* of h: below it the verdict is marginal */
+    double worst;              /* least height within the tolerances */
+    double use;                /* greatest judge_use within them */
+    const struct exact *exact; /* NULL: formulas alone */
+    const char *inexact;       /* why exact statics were asked for in vain, or NULL */
+};
+
+/* Where formulas and exact statics differ the lesser stands, and why has both numbers. */
+void judge_by(const struct lift *l, const struct judge_by *by, struct judgement *ret);
+
+/* By the formulas alone. */
 void judge(const struct lift *l, double limit, double worst, struct judgement *ret);
 
 /* A row that cannot be used: no numbers, no verdict, and the reason. */

@@ -60,6 +60,9 @@ enum status lift_fail(const struct lift_table *t, struct why *why);
 /* What is wrong without that place; points into why. */
 const char *lift_reason(const struct lift_table *t, const struct why *why);
 
+/* The cell of the column called name in the present row, or "". */
+const char *lift_label(const struct lift_table *t);
+
 /* Whether x[i] is a column of the table, or has a tolerance in it. */
 int lift_has(const struct lift_table *t, int i, int tolerance);
 int lift_has_ends(const struct lift_table *t);
