@@ -1,6 +1,6 @@
 /* sling: is this lift stable?  Metacentric heights of arrangements, one a row. */
+#include "form/appraise.h"
 #include "form/axis.h"
-#include "form/doubt.h"
 #include "form/lever.h"
 #include "form/result.h"
 #include "sys/number.h"
@@ -100,34 +100,18 @@ static void print_derivatives(const struct lift_table *t, const struct lift_give
     fprintf(o->f, ",%s", greatest >= 0 ? name : "");
 }
 
-/* Verdict and all numbers of a row; returns whether exact statics, if asked for, could judge it. */
-static int print_judged(const struct asked *a, const struct lift *l, double worst, double use,
-                        enum verdict *ret, struct why *why, struct out *o)
-{
-    struct judge_by by = {.limit = a->limit, .worst = worst, .use = use};
-    struct judgement j;
-    struct exact e;
-
-    if (a->result.exact && exact_make(l, &e, why) == SW_OK)
-        by.exact = &e;
-    else if (a->result.exact)
-        by.inexact = why->text;
-    judge_by(l, &by, &j);
-    result_row(&j, &a->result, by.exact, o);
-    *ret = j.verdict;
-    return !by.inexact;
-}
-
 /* One row that can be used; returns whether what was asked for was found. */
 static int print_row(const struct lift_table *t, const struct asked *a, const struct lift_given *g,
                      const struct lift *l, enum verdict *ret, struct why *why, struct out *o)
 {
-    double worst = a->tolerances ? doubt_worst(g, l) : NAN;
-    double use = a->tolerances ? doubt_use(g, l) : NAN, found = 0;
-    int all = print_judged(a, l, worst, use, ret, why, o);
+    struct appraisal p;
+    double found = 0;
 
+    appraise(g, l, a->limit, a->result.exact, &p);
+    result_row(&p.j, &a->result, p.has_exact ? &p.exact : NULL, o);
+    *ret = p.j.verdict;
     if (a->tolerances)
-        result_cell(o, worst);
+        result_cell(o, p.worst);
     if (args.samples) {
         struct doubt d;
 
@@ -148,7 +132,9 @@ static int print_row(const struct lift_table *t, const struct asked *a, const st
         fail(why, SW_INFEASIBLE, "--design: no %s near the present one gives %.6g m", name,
              a->wanted);
     }
-    return all && !isnan(found);
+    if (p.failed)
+        *why = p.why;
+    return !p.failed && !isnan(found);
 }
 
 /* A row that cannot be used: the reason stands in why, numbers are empty. */
@@ -258,6 +244,11 @@ static int run_table(struct lift_table *t, const struct asked *a, struct out *o)
     }
     note("%ld stable, %ld marginal, %ld unstable, %ld not judged", count[VERDICT_STABLE],
          count[VERDICT_MARGINAL], count[VERDICT_UNSTABLE], count[VERDICT_NONE]);
+    if (args.require && count[0] + count[1] + count[2] + count[VERDICT_NONE] == 0) {
+        fail(&why, SW_INFEASIBLE, "%s: has no row that could be %s", t->csv.name, args.require);
+        report(&why);
+        return 0;
+    }
     return all;
 }
 
@@ -297,20 +288,20 @@ static void print_contour(struct lift_given *g, double limit, struct out *o)
     fprintf(o->f, "%s,%s,h_m,verdict,why\n", a.name, b.name);
     for (long i = 0; i < a.n && !out_failed(o); i++)
         for (long k = 0; k < b.n; k++) {
-            struct judgement j;
+            struct appraisal p;
             struct lift l;
 
             g->x[a.number] = axis_value(&a, i) * lift_unit(a.number);
             g->x[b.number] = axis_value(&b, k) * lift_unit(b.number);
             if (lift_make(g, &l, &why) == SW_OK)
-                judge(&l, limit, doubt_worst(g, &l), &j);
+                appraise(g, &l, limit, 0, &p);
             else
-                judge_not(why.text, &j);
+                judge_not(why.text, &p.j);
             out_number(o, axis_value(&a, i));
             result_cell(o, axis_value(&b, k));
-            result_cell(o, j.least);
-            fprintf(o->f, ",%s,", verdict_name(j.verdict));
-            out_cell(o, j.why);
+            result_cell(o, p.j.least);
+            fprintf(o->f, ",%s,", verdict_name(p.j.verdict));
+            out_cell(o, p.j.why);
             putc('\n', o->f);
         }
 }

@@ -18,6 +18,25 @@ const char *exact_end(const struct exact *e)
     return isnan(e->capsizing) ? "" : words[e->end];
 }
 
+double exact_least(const struct exact *e)
+{
+    return e ? fmin(e->h, e->contact) : INFINITY; /* fmin of NAN is the other */
+}
+
+int exact_stretches(const struct lift *l)
+{
+    for (int k = 0; k < l->ends; k++)
+        if ((l->ends == 2 || l->end[k].type != RIGGING_ELASTIC) &&
+            l->detail[k].stretch[0] + l->detail[k].stretch[1] > 0)
+            return 1;
+    return 0;
+}
+
+int exact_needed(const struct lift *l)
+{
+    return l->offset > 0 || exact_stretches(l);
+}
+
 static void clear(struct exact *e)
 {
     *e = (struct exact){.h = INFINITY,
@@ -55,6 +74,9 @@ static enum status settle(struct drawn *d, struct why *why)
         s = SW_NOCONV;
     if (s == SW_OK)
         s = sway_of(&d->t.gear, &d->h, &d->m);
+    for (int k = 0; s == SW_OK && k < d->m.n; k++)
+        if (isnan(d->m.omega2[k]))
+            s = SW_NOCONV;
     return s == SW_OK ? s : fail(why, s, "exact statics find no equilibrium as drawn");
 }
 
@@ -135,17 +157,21 @@ static double find_lost(const struct drawn *d, int across)
 }
 
 /* The offset brought in: tilts and forces.  d goes there. */
-static void take_offset(const struct lift *l, struct drawn *d, int across, struct exact *e)
+static void take_offset(const struct lift *l, struct drawn *d, int across, int brief,
+                        struct exact *e)
 {
-    double shift[3] = {0}, share;
+    double shift[3] = {0}, share, lost = brief ? INFINITY : find_lost(d, across);
 
     shift[across] = isnan(l->offset) ? 0 : l->offset;
-    e->offset_lost = fmin(isnan(e->offset_lost) ? INFINITY : e->offset_lost, find_lost(d, across));
     if (shift[across] > 0 && offset_shift(&d->t.gear, d->t.load, shift, &d->h, &share) != SW_OK) {
         e->lost = 1;
         e->tilt_spreader = e->tilt_load = NAN;
-        return;
+        lost = share * shift[across];
     }
+    if (!brief || e->lost)
+        e->offset_lost = fmin(isnan(e->offset_lost) ? INFINITY : e->offset_lost, lost);
+    if (e->lost)
+        return;
     take_forces(l, &d->t, &d->h, e);
     if (isnan(l->offset) || e->lost)
         return;
@@ -185,7 +211,7 @@ static void take_rest(const struct lift *l, const struct drawn *d, struct exact 
 }
 
 /* The planar gear of one view, first without its edges. */
-static enum status run_planar(const struct lift *l, enum rigging_view view, int range,
+static enum status run_planar(const struct lift *l, enum rigging_view view, int range, int brief,
                               struct exact *e, struct why *why)
 {
     struct drawn d;
@@ -206,15 +232,16 @@ static enum status run_planar(const struct lift *l, enum rigging_view view, int 
     if (!range)
         return SW_OK;
     if (d.h.least > 0) {
-        take_offset(l, &d, 0, e);
-        take_range(l, &d, e);
+        take_offset(l, &d, 0, brief, e);
+        if (!brief)
+            take_range(l, &d, e);
     }
-    if (!stable)
+    if (!stable && !brief)
         take_rest(l, &d, e);
     return SW_OK;
 }
 
-static enum status run_space(const struct lift *l, struct exact *e, struct why *why)
+static enum status run_space(const struct lift *l, int brief, struct exact *e, struct why *why)
 {
     struct drawn d;
     int across;
@@ -233,7 +260,7 @@ static enum status run_space(const struct lift *l, struct exact *e, struct why *
     e->indeterminate = d.h.indeterminate;
     across = l->ends == 1 && height_of(&d, 1, 0) < height_of(&d, 0, 0);
     if (d.h.least > 0)
-        take_offset(l, &d, across, e);
+        take_offset(l, &d, across, brief, e);
     return SW_OK;
 }
 
@@ -250,7 +277,7 @@ int exact_view(const struct lift *l)
     return RIGGING_LONG;
 }
 
-enum status exact_make(const struct lift *l, struct exact *ret, struct why *why)
+enum status exact_make(const struct lift *l, int brief, struct exact *ret, struct why *why)
 {
     int main_view = exact_view(l), all = l->ends == 1;
     enum status s = SW_OK;
@@ -258,6 +285,6 @@ enum status exact_make(const struct lift *l, struct exact *ret, struct why *why)
     clear(ret);
     for (int view = 0; view < RIGGING_VIEWS && all && s == SW_OK; view++)
         if (view == main_view || !isnan(l->end[0].T[view]))
-            s = run_planar(l, (enum rigging_view)view, view == main_view, ret, why);
-    return s == SW_OK ? run_space(l, ret, why) : s;
+            s = run_planar(l, (enum rigging_view)view, view == main_view, brief, ret, why);
+    return s == SW_OK ? run_space(l, brief, ret, why) : s;
 }

@@ -40,8 +40,19 @@ struct exact {
     int indeterminate; /* forces of rigid slings that statics leave open */
 };
 
-/* SW_ADMISSIBLE: what exact statics need is not given; SW_NOCONV: no equilibrium was found. */
-enum status exact_make(const struct lift *l, struct exact *ret, struct why *why);
+/* SW_ADMISSIBLE: what exact statics need is not given; SW_NOCONV: no equilibrium was found.  brief:
+ * without range, rest, and the offset that would be lost if the given one is not. */
+enum status exact_make(const struct lift *l, int brief, struct exact *ret, struct why *why);
+
+/* Whether a verdict must not stand on the formulas alone: there is an offset, whose tilt need not
+ * be small, or slings stretch where no formula of the type, or of a pair, counts it. */
+int exact_needed(const struct lift *l);
+
+/* Whether slings stretch in that way. */
+int exact_stretches(const struct lift *l);
+
+/* The height beside that of the formula: edges count where they make it less; NULL: INFINITY. */
+double exact_least(const struct exact *e);
 
 /* "capsizes", "folds", "holds"; of what has no range "". */
 const char *exact_end(const struct exact *e);

@@ -37,7 +37,11 @@ struct judgement {
     char why[400];
 };
 
-/* The height that judges, alone: for the many arrangements of samples and tables. */
+/* Heights up to this [m] are round-off, and not above 0. */
+#define JUDGE_ROUND 1e-9
+
+/* The height that judges, alone: for the many arrangements of samples and tables.  NAN: slings
+ * stretch, and exact statics find nothing. */
 double judge_height(const struct lift *l);
 
 /* The greatest force of a sling over its working load limit, at the offset; NAN: not known. */
@@ -49,7 +53,9 @@ struct judge_by {
     double worst;              /* least height within the tolerances */
     double use;                /* greatest judge_use within them */
     const struct exact *exact; /* NULL: formulas alone */
-    const char *inexact;       /* why exact statics were asked for in vain, or NULL */
+    /* The same, brief, of the arrangement within the tolerances that seems the worst, or NULL. */
+    const struct exact *corner;
+    const char *inexact; /* why exact statics were wanted in vain, or NULL */
 };
 
 /* Where formulas and exact statics differ the lesser stands, and why has both numbers. */

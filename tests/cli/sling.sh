@@ -166,7 +166,7 @@ holds 'n == 41 * 41 && near(c["z_m", 1], 0.55, 1e-12) && c["gamma_deg", 1] == -1
     c["verdict", 1] == "not-judged" && c["h_m", 1] == "" && c["why", 1] ~ /leaves no base/' out \
     'half to one and a half of the present value; what is no arrangement is not judged'
 holds 'c["why", 2] !~ /tolerances/' out 'contour: without tolerances'
-runs 0 'contour with tolerances' sling --contour z_m=1.6:1.8:2,v_m=3.6:3.7:2 first.csv
+runs 0 'contour with tolerances' sling --set offset_m= --contour z_m=1.6:1.8:2,v_m=3.6:3.7:2 first.csv
 holds 'c["verdict", 1] == "marginal" && c["why", 1] ~ /within the tolerances/' out \
     'contour: tolerances count'
 runs 2 'contour of two rows' sling --contour z_m,v_m lifts.csv
