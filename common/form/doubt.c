@@ -313,21 +313,20 @@ double doubt_use(const struct lift_given *g, const struct lift *l)
     return use;
 }
 
-enum status doubt_corner(const struct lift_given *g, struct lift *ret)
+void doubt_corner(const struct lift_given *g, struct lift_given *ret)
 {
-    struct lift_given at = *g;
     double slopes[LIFT_NUMBERS];
+    struct lift l;
     struct why why;
-    enum status s = lift_make(g, ret, &why);
 
-    if (s != SW_OK)
-        return s;
-    doubt_slopes(g, ret, slopes);
-    at.loose = 1;
+    *ret = *g;
+    ret->loose = 1;
+    if (lift_make(g, &l, &why) != SW_OK)
+        return;
+    doubt_slopes(g, &l, slopes);
     for (int i = 0; i < LIFT_NUMBERS; i++)
         if (g->tol[i] > 0 && !isnan(slopes[i]) && slopes[i] != 0)
-            at.x[i] -= copysign(g->tol[i], slopes[i]);
-    return lift_make(&at, ret, &why);
+            ret->x[i] -= copysign(g->tol[i], slopes[i]);
 }
 
 /* splitmix64: well mixed bits of any number. */

@@ -22,9 +22,8 @@ double doubt_worst(const struct lift_given *g, const struct lift *l);
  * where each acts in one direction.  NAN: no tolerances, or no limit is known. */
 double doubt_use(const struct lift_given *g, const struct lift *l);
 
-/* The arrangement within the tolerances at the corner where the height falls to first order, or g's
- * own l without tolerances.  SW_ADMISSIBLE: it is none. */
-enum status doubt_corner(const struct lift_given *g, struct lift *ret);
+/* g at the corner of its tolerances where the height of the formulas falls to first order. */
+void doubt_corner(const struct lift_given *g, struct lift_given *ret);
 
 /* Derivatives of the height that judges by each number that is given, per unit of its column; NAN
  * for the others. */

@@ -264,7 +264,7 @@ static enum status judge_ranges(const struct rigging *r, struct rigging_fault *f
         (r->slings != floor(r->slings) || (r->type != RIGGING_SINGLE && r->slings < 2)))
         return refuse(fault, "slings", "expected a whole number, from 2 on unless single",
                       r->slings, "");
-    if (r->m_spreader > 10 * r->m_load)
+    if (!r->loose && r->m_spreader > 10 * r->m_load)
         return refuse(fault, "m_spreader", "is over ten times the load; are both in tonnes?",
                       r->m_spreader / 1000, "t");
     return SW_OK;
