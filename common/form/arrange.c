@@ -193,8 +193,8 @@ enum status lift_make(const struct lift_given *g, struct lift *ret, struct why *
     ret->apart = g->x[LIFT_E1] + g->x[LIFT_E2];
     if (g->tol[LIFT_OFFSET] > 0)
         ret->offset = (isnan(offset) ? 0 : fabs(offset)) + g->tol[LIFT_OFFSET];
-    if (!isnan(offset) && !(fabs(offset) < 1e4))
-        return refuse(why, LIFT_OFFSET, "must lie within 10 km");
+    if (!isnan(offset) && !(fabs(offset) < 500))
+        return refuse(why, LIFT_OFFSET, "must lie within 500 m");
     if (g->type[0] == LIFT_UNKNOWN)
         return fail(why, SW_ADMISSIBLE, "type: is missing");
     return g->type[0] == LIFT_PAIR ? make_pair(g, ret, why) : make_one(g, ret, why);

@@ -20,9 +20,9 @@ static enum status judge_sizes(const double *x, int end, struct why *why)
     for (int q = LIFT_HOOK_DISTANCE; q <= LIFT_LOAD_HEIGHT; q++) {
         int is_height = q == LIFT_EDGE_HEIGHT || q == LIFT_LOW_EDGE_HEIGHT;
 
-        if (!isnan(x[q]) && !(x[q] > (is_height ? -1e4 : 0) && x[q] < 1e4))
+        if (!isnan(x[q]) && !(x[q] > (is_height ? -500 : 0) && x[q] < 500))
             return refuse(why, q, end,
-                          is_height ? "must lie within 10 km" : "must lie above 0 and below 10 km");
+                          is_height ? "must lie within 500 m" : "must lie above 0 and below 500 m");
     }
     return SW_OK;
 }

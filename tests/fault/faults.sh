@@ -37,6 +37,8 @@ run()
     print) catenary --print-case -o result/out.csv stay.ini ;;
     sling) sling -o result/out.csv --set name=x lifts.csv ;;
     lift) sling -o result/out.csv --samples 10 --derivatives --design v_m=3 lift.csv ;;
+    exact) sling -o result/out.csv --exact lift.csv ;;
+    lever) sling -o result/out.csv --lever lift.csv ;;
     contour) sling -o result/out.csv --contour z_m=0:1:3,v_m=3:5:3 lift.csv ;;
     table) catenary --table -o result/out.csv table.csv ;;
     stiffness) catenary --stiffness -o result/out.csv --set cable.unstressed_length= \
@@ -96,7 +98,7 @@ output()
 }
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
-    for tool in catenary modal diffverf print table stiffness sling lift contour; do
+    for tool in catenary modal diffverf print table stiffness sling lift exact lever contour; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done
