@@ -156,24 +156,30 @@ static double find_lost(const struct drawn *d, int across)
     return offset_shift(&s, d->t.load, shift, &h, &share) == SW_OK ? INFINITY : share * most;
 }
 
-/* The offset brought in: tilts and forces.  d goes there. */
-static void take_offset(const struct lift *l, struct drawn *d, int across, int brief,
+/* Whether d keeps its offset, whose loss is told.  d goes there. */
+static int keeps_offset(const struct lift *l, struct drawn *d, int across, int brief,
                         struct exact *e)
 {
     double shift[3] = {0}, share, lost = brief ? INFINITY : find_lost(d, across);
+    int kept = 1;
 
     shift[across] = isnan(l->offset) ? 0 : l->offset;
-    if (shift[across] > 0 && offset_shift(&d->t.gear, d->t.load, shift, &d->h, &share) != SW_OK) {
+    if (shift[across] > 0)
+        kept = offset_shift(&d->t.gear, d->t.load, shift, &d->h, &share) == SW_OK;
+    if (!kept) {
         e->lost = 1;
-        e->tilt_spreader = e->tilt_load = NAN;
         lost = share * shift[across];
     }
-    if (!brief || e->lost)
+    if (!brief || !kept)
         e->offset_lost = fmin(isnan(e->offset_lost) ? INFINITY : e->offset_lost, lost);
-    if (e->lost)
-        return;
+    return kept;
+}
+
+/* Tilts and forces where d hangs with its offset. */
+static void take_tilt(const struct lift *l, const struct drawn *d, int across, struct exact *e)
+{
     take_forces(l, &d->t, &d->h, e);
-    if (isnan(l->offset) || e->lost)
+    if (isnan(l->offset))
         return;
     e->tilt_load =
         fmax(isnan(e->tilt_load) ? 0 : e->tilt_load, tilt_of(d->h.pose + d->t.load, across));
@@ -188,7 +194,7 @@ static void take_range(const struct lift *l, const struct drawn *d, struct exact
     struct heel_range r;
     int known = tackle_has_mass(l);
 
-    if (e->lost || heel_range(&d->t.gear, d->t.load, &d->h, PI / 2, &r) != SW_OK)
+    if (heel_range(&d->t.gear, d->t.load, &d->h, PI / 2, &r) != SW_OK)
         return;
     e->capsizing = r.capsizing;
     e->energy = known ? r.energy : NAN;
@@ -210,41 +216,53 @@ static void take_rest(const struct lift *l, const struct drawn *d, struct exact 
     e->by_contact = e->rest < upright && (e->contacts > 0 || h.by_contact);
 }
 
-/* The planar gear of one view, first without its edges. */
+/* Large tilts of one view, its edges counted: bare is the same without them. */
+static void run_large(const struct lift *l, struct drawn *bare, struct drawn *d, int brief,
+                      struct exact *e)
+{
+    int kept = bare->h.least > 0 && keeps_offset(l, bare, 0, brief, e);
+
+    if (d->h.least > 0 && (l->detail[0].edges == 0 || keeps_offset(l, d, 0, 1, e))) {
+        if (l->detail[0].edges == 0)
+            *d = *bare;
+        if (kept || l->detail[0].edges > 0)
+            take_tilt(l, d, 0, e);
+        if (kept && !brief)
+            take_range(l, d, e);
+        if (!kept && l->detail[0].edges > 0)
+            e->rest = tilt_of(d->h.pose + d->t.load, 0);
+    } else if (!brief && !(d->h.least > 0)) {
+        take_rest(l, d, e);
+    }
+    if (!kept && e->rest < upright && l->detail[0].edges > 0)
+        e->by_contact = 1;
+}
+
+/* The planar gear of one view, first without its edges, which judges. */
 static enum status run_planar(const struct lift *l, enum rigging_view view, int range, int brief,
                               struct exact *e, struct why *why)
 {
-    struct drawn d;
-    enum status s = tackle_planar(l, view, 0, &d.t, why);
-    int stable;
+    struct drawn bare, d;
+    enum status s = tackle_planar(l, view, 0, &bare.t, why);
 
-    if (s != SW_OK || (s = settle(&d, why)) != SW_OK)
+    if (s != SW_OK || (s = settle(&bare, why)) != SW_OK)
         return s;
-    take_heights(&d, 0, e);
-    take_mode(&d, tackle_has_mass(l), e);
-    stable = d.h.least > 0;
+    take_heights(&bare, 0, e);
+    take_mode(&bare, tackle_has_mass(l), e);
+    d = bare;
     if (l->detail[0].edges > 0) {
         if ((s = tackle_planar(l, view, 1, &d.t, why)) != SW_OK || (s = settle(&d, why)) != SW_OK)
             return s;
         e->contact = fmin(isnan(e->contact) ? INFINITY : e->contact, height_of(&d, 0, 0));
-        stable &= d.h.least > 0;
     }
-    if (!range)
-        return SW_OK;
-    if (d.h.least > 0) {
-        take_offset(l, &d, 0, brief, e);
-        if (!brief)
-            take_range(l, &d, e);
-    }
-    if (!stable && !brief)
-        take_rest(l, &d, e);
+    if (range)
+        run_large(l, &bare, &d, brief, e);
     return SW_OK;
 }
 
 static enum status run_space(const struct lift *l, int brief, struct exact *e, struct why *why)
 {
     struct drawn d;
-    int across;
     enum status s = tackle_space(l, &d.t, why);
 
     if (s == SW_INFEASIBLE)
@@ -258,9 +276,12 @@ static enum status run_space(const struct lift *l, int brief, struct exact *e, s
         e->h = e->load = e->view[RIGGING_CROSS] = height_of(&d, 0, 1);
     take_mode(&d, !isnan(l->apart) || l->ends == 1, e);
     e->indeterminate = d.h.indeterminate;
-    across = l->ends == 1 && height_of(&d, 1, 0) < height_of(&d, 0, 0);
-    if (d.h.least > 0)
-        take_offset(l, &d, across, brief, e);
+    for (int across = 0; across < 1 + (l->ends == 1) && d.h.least > 0; across++) {
+        struct drawn at = d;
+
+        if (keeps_offset(l, &at, across, brief, e))
+            take_tilt(l, &at, across, e);
+    }
     return SW_OK;
 }
 

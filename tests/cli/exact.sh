@@ -99,6 +99,11 @@ sling --exact --set type=primary-secondary --set v_m=1 --set s_m=8 --set z_m=1.2
 for_all 'c["verdict"] == "unstable" && c["by_contact"] == 0 && c["rest_deg"] > 90' out \
     'without edges it turns over'
 
+edges='--set edge_height_m=3 --set edge_width_m=2.3'
+sling --exact $lift $edges --set offset_m=0.4 >out
+for_all 'c["verdict"] == "unstable" && c["why"] ~ /offset of 0.4 m capsizes/ && c["by_contact"] == 1 &&
+    c["exact_tilt_load_deg"] > 0' out 'contact does not allow an offset that capsizes without it'
+
 # In space: two hooks, four slings a hook, both ends of a pair.
 runs 0 'published cases' sling --exact "$cases"
 holds 'near(c["exact_h_cross_m", 5], 131.80, 5e-5) && near(c["exact_h_long_m", 5], 5.267, 1e-4) &&

@@ -18,7 +18,7 @@ static void judged(const struct lift_given *g, const struct lift *l)
 
     check(!isnan(height) || exact_stretches(l));
     check(isnan(worst) || worst <= height || exact_stretches(l));
-    appraise(g, l, 0.5, exact_needed(l), &p);
+    appraise(g, l, 0.5, 0, &p);
     j = p.j;
     check(j.why[0] != '\0' && memchr(j.why, 0, sizeof j.why));
     check(j.least <= j.h && (p.has_exact || j.least == height));
