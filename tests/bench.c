@@ -10,6 +10,7 @@
 #include "phys/map.h"
 #include "phys/march.h"
 #include "phys/modes.h"
+#include "phys/net.h"
 #include "sys/number.h"
 
 #include <cblas.h>
@@ -464,6 +465,77 @@ static double exact_rate(int n)
                        "type,v_m,s_m,z_m,phi_deg,gamma_deg,m_spreader_t,m_load_t\n", print_lift);
 }
 
+static struct rope steel(double length)
+{
+    return (struct rope){.law = {.EA = 1e6}, .L0 = length, .q = {0, 0, -1}};
+}
+
+/* Seconds of a net of side x side meshes, 2 % longer than its frame, under its own weight, from
+ * nothing; two straight elements a rope. */
+static double mesh_time(int side)
+{
+    int n = (side + 1) * (side + 1), m = 0;
+    struct net net = {.n = n,
+                      .node = checked(mem_zeroed((size_t)n, sizeof *net.node)),
+                      .rope = checked(mem_zeroed(2 * (size_t)n, sizeof *net.rope))};
+    struct net_options o = {.tolerance = 5e-10, .steps = 1000};
+    struct net_state s;
+    double t;
+
+    for (int i = 0; i < n; i++) {
+        int x = i % (side + 1), y = i / (side + 1);
+        int edge = x == 0 || y == 0 || x == side || y == side;
+
+        net.node[i] = edge ? (struct net_node){.held = 7, .x = {x, y, 0}}
+                           : (struct net_node){.x = {NAN, NAN, NAN}};
+        for (int d = 0; d < 2; d++) {
+            if ((d == 0 ? x : y) == side)
+                continue;
+            net.rope[m] =
+                (struct net_rope){.a = i, .b = i + (d ? side + 1 : 1), .rope = steel(1.02)};
+            net.rope[m++].rope.elements = 2;
+        }
+    }
+    net.m = m;
+    t = now();
+    expect(net_solve(&net, &o, &s));
+    t = now() - t;
+    net_state_free(&s);
+    free(net.node);
+    free(net.rope);
+    return t;
+}
+
+/* Milliseconds of nine lines with three free nodes: a ring of three, two anchors each. */
+static double mooring_time(int count)
+{
+    struct net_node node[9];
+    struct net_rope rope[9];
+    struct net net = {9, 9, node, rope};
+    struct net_options o = {.tolerance = 5e-10, .steps = 1000};
+    double t = now();
+
+    for (int k = 0; k < count; k++) {
+        struct net_state s;
+
+        for (int i = 0; i < 9; i++) {
+            double angle = 2 * PI * i / 6;
+            int corner = i / 2;
+
+            if (i < 6)
+                node[i] =
+                    (struct net_node){.held = 7, .x = {100 * cos(angle), 100 * sin(angle), 0}};
+            else
+                node[i] = (struct net_node){.x = {NAN, NAN, NAN}, .force = {0, 0, 400}};
+            rope[i] = i < 6 ? (struct net_rope){.a = i, .b = 6 + corner, .rope = steel(110)}
+                            : (struct net_rope){.a = i, .b = i < 8 ? i + 1 : 6, .rope = steel(50)};
+        }
+        expect(net_solve(&net, &o, &s));
+        net_state_free(&s);
+    }
+    return 1e3 * (now() - t) / count;
+}
+
 /* Nanoseconds of one printed number, random bits. */
 static double print_time(int n)
 {
@@ -558,6 +630,8 @@ int main(void)
     report("stabil, 1000 frequencies, n = 1000", median(fine_time, 1000), "s", 0, 0);
     report("stabil, Floquet 100 x 100, 12 modes", median(floquet_time, 12), "s", 3 / scale, 0);
     report("stabil, Floquet 200 x 200, 4 modes", median(floquet_time, 4), "s", 3 / scale, 0);
+    report("gapnet, nine lines, three free nodes", median(mooring_time, 200), "ms", 1 / scale, 0);
+    report("gapnet, net of 300 x 300 meshes", mesh_time(300), "s", 30 / scale, 0);
     report("triad, 3 x 160 MB", median(triad, 20000000), "GB/s", 0, 1);
     return 0;
 }

@@ -7,25 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Row by row, each in one piece of memory: pointers, then texts. */
-static char **copy_cells(char *const *cell, int n)
-{
-    size_t bytes = sizeof(char *) * (size_t)n;
-    char **ret, *at;
-
-    for (int i = 0; i < n; i++)
-        bytes += strlen(cell[i]) + 1;
-    ret = mem_zeroed(bytes, 1);
-    if (!ret)
-        return NULL;
-    at = (char *)(ret + n);
-    for (int i = 0; i < n; i++) {
-        ret[i] = strcpy(at, cell[i]);
-        at += strlen(at) + 1;
-    }
-    return ret;
-}
-
 /* Whether points may vary this column. */
 static enum status judge_column(const struct csv *csv, int i, struct why *why)
 {
@@ -58,7 +39,7 @@ static enum status take_header(struct csv *csv, struct points *p, struct why *wh
     if (s != SW_OK)
         return s;
     p->n_columns = csv->n;
-    p->column = copy_cells(csv->cell, csv->n);
+    p->column = csv_copy(csv);
     return p->column ? SW_OK : fail_plain(why, SW_NOMEM);
 }
 
@@ -83,7 +64,7 @@ static enum status take_row(const struct csv *csv, enum status s, struct points 
     to = &p->point[p->n];
     *to = (struct point){.line = csv->line};
     if (s == SW_OK)
-        to->cell = copy_cells(csv->cell, csv->n);
+        to->cell = csv_copy(csv);
     else
         to->wrong = mem_copy(why->text, strlen(why->text) + 1);
     if (!to->cell && !to->wrong)

@@ -1,11 +1,14 @@
 /* Sparse symmetric systems. */
 #include "num/sparse.h"
+#include "num/dense.h"
 #include "num/mem.h"
 
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <suitesparse/cholmod.h>
+
+#define NESTED 20000 /* unknowns */
 
 struct sparse_solver {
     cholmod_common common;
@@ -69,9 +72,16 @@ enum status sparse_new(int n, const struct place *place, size_t n_places, int *r
         sparse_free(ret);
         return SW_NOMEM;
     }
+    dense_threads(1); /* supernodes are too small to share: threads would wait for each other */
     cholmod_start(&ret->solver->common);
     ret->solver->common.print = 0;
     ret->solver->common.supernodal = CHOLMOD_AUTO;
+    ret->solver->common.final_ll = 1; /* L L^T also of small ones: L D L^T takes negative pivots */
+    if (n > NESTED) { /* nested dissection costs more once, and saves a third of each factor */
+        ret->solver->common.nmethods = 1;
+        ret->solver->common.method[0].ordering = CHOLMOD_METIS;
+        ret->solver->common.postorder = 1;
+    }
     for (size_t k = 0; k < n_places; k++)
         ret_at[k] = sparse_at(ret, place[k].row, place[k].column);
     return SW_OK;

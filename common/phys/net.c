@@ -3,14 +3,28 @@
 #include "num/mem.h"
 #include "phys/network.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define ENOUGH 0.3  /* of the first slope: a shortened step ends there */
-#define TRIALS 80   /* of a step's length */
-#define POLISH 3    /* steps behind the tolerance that may still bring something */
-#define THREADS 512 /* ropes from which threads share them */
+#define ENOUGH 0.3      /* of the first slope: a shortened step ends there */
+#define TRIALS 80       /* of a step's length */
+#define ROUND_OFF 1e-13 /* of the products of tensions and lengths */
+#define BRIEF 0.1       /* a short step */
+#define SHORT_STEPS 2   /* of them: another way */
+#define STAGE 0.01      /* gap over a rope's length that ends a stage */
+#define SOFT_STEPS 9    /* in a stage of ropes that give */
+#define GIVE_END 0.1    /* of a rope's own: no longer matters */
+#define GIVE_UP 0.9     /* a stage that takes off less is none */
+#define STAGES 28       /* of smoothing, two for a power of ten */
+#define POLISH 3        /* steps behind the tolerance that may still bring something */
+#define THREADS 512     /* ropes from which threads share them */
+
+static double length(const double x[3])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
 
 void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM])
 {
@@ -30,18 +44,35 @@ void net_node_force(const struct net_node *node, const double x[3], double f[3],
         K[SYM_ZZ] += node->area;
 }
 
-/* A bar between x_a and x_b: tension towards b and stiffness (26). */
-static void bar(const struct rope *r, const double d[3], double t[3], double K[SYM])
+/* A bar between x_a and x_b: tension towards b and stiffness (26).  One that only pulls has none
+ * where it is slack; soft, a thousandth of what a rope has that carries the reference, stands for
+ * its stiffness in the matrix. */
+static void bar(const struct net_rope *p, const double d[3], double soft, double t[3],
+                double K[SYM])
 {
-    double l = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), N = r->law.EA * (l / r->L0 - 1);
-    double along = N / l, change = (r->law.EA / r->L0 - along) / (l * l);
+    const struct rope *r = &p->rope;
+    double l = length(d), N, along, change, slope;
 
+    if (l > r->L0 && r->law.n > 0) {
+        N = rope_tension(&r->law, l / r->L0 - 1, &slope);
+        slope /= r->L0;
+    } else {
+        N = r->law.EA * (l / r->L0 - 1);
+        slope = r->law.EA / r->L0;
+    }
+    along = N / l;
+    change = (slope - along) / (l * l);
     if (!(l > 0)) { /* no direction: a spring in all of them */
-        along = r->law.EA / r->L0;
+        along = slope;
+        change = 0;
+    }
+    if (p->pulls && !(N > 0)) {
+        N = 0;
+        along = soft / r->L0;
         change = 0;
     }
     for (int i = 0; i < 3; i++)
-        t[i] = along * d[i];
+        t[i] = l > 0 ? N / l * d[i] : 0;
     K[SYM_XX] = along + change * d[0] * d[0];
     K[SYM_XY] = change * d[0] * d[1];
     K[SYM_XZ] = change * d[0] * d[2];
@@ -61,7 +92,7 @@ static void evaluate_rope(const struct net *net, const double *x, const double *
     if (net_is_bar(p)) {
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 
-        bar(&p->rope, d, w->bar + 3 * r, w->K + SYM * r);
+        bar(p, d, w->reference / 1000, w->bar + 3 * r, w->K + SYM * r);
         gap[0] = gap[1] = gap[2] = 0;
         return;
     }
@@ -119,15 +150,10 @@ void net_evaluate(const struct net *net, const double *x, const double *t, struc
     evaluate_nodes(net, x, t, w);
 }
 
-static double length(const double x[3])
-{
-    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-}
-
 struct net_step net_measure(const struct net *net, const double *t, const struct net_work *w,
                             struct net_state *s)
 {
-    struct net_step ret = {0, 0, 0, 1};
+    struct net_step ret = {.factor = 1};
     int counted = 0;
 
     s->most = 0;
@@ -140,6 +166,9 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
         counted += !net_is_bar(&net->rope[r]);
         if (!(gap <= ret.largest_gap))
             ret.largest_gap = gap;
+        gap *= s->size / net->rope[r].rope.L0;
+        if (!(gap <= ret.gap_of_rope))
+            ret.gap_of_rope = gap;
     }
     ret.mean_gap /= counted > 0 ? counted : 1;
     for (int i = 0; i < 3 * net->n; i++) {
@@ -218,15 +247,34 @@ static double slope(const struct net *net, const struct net_work *w)
     return sum;
 }
 
+/* Of slopes: where statics alone gives the tensions, nothing else is left of them. */
+static double round_off(const struct net *net, const struct net_state *s, const struct net_work *w)
+{
+    double sum = 0;
+
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        const double *K = w->K + SYM * r;
+        double moved = 0, gap = length(w->gap + 3 * r);
+
+        for (int i = 0; i < 3; i++)
+            moved += fabs(w->dx[3 * p->b + i] - w->dx[3 * p->a + i]);
+        sum += length(s->t + 3 * r) * p->rope.L0 +
+               (K[SYM_XX] + K[SYM_YY] + K[SYM_ZZ]) * gap * (gap + moved);
+    }
+    return ROUND_OFF * sum;
+}
+
 /* A factor at which the slope has nearly vanished, or the whole step: by regula falsi (Illinois).
  * The trial state stands there. */
 static double search(const struct net *net, const struct net_state *s, struct net_work *w)
 {
     double first = slope(net, w), low = 0, high = 1, at_low = first, at_high, factor = 1;
+    double enough = ENOUGH * fabs(first) + round_off(net, s, w);
 
     try_step(net, s, 1, w);
     at_high = slope(net, w);
-    if (at_high <= ENOUGH * fabs(first))
+    if (at_high <= enough)
         return 1;
     for (int k = 0; k < TRIALS; k++) {
         double now;
@@ -237,7 +285,7 @@ static double search(const struct net *net, const struct net_state *s, struct ne
             factor = low + (high - low) * (low == 0 ? 0.1 : 0.5);
         try_step(net, s, factor, w);
         now = slope(net, w);
-        if (fabs(now) <= ENOUGH * fabs(first))
+        if (fabs(now) <= enough)
             break;
         if (now < 0) {
             low = factor;
@@ -258,8 +306,11 @@ static void take(struct net_state *s, const struct net *net, const struct net_wo
     memcpy(s->t, w->t1, 3 * sizeof *s->t * (size_t)net->m);
 }
 
+/* tolerance 0: near enough for a stage on the way. */
 static int is_met(const struct net_step *p, const struct net_state *s, double tolerance)
 {
+    if (tolerance == 0)
+        return p->gap_of_rope <= STAGE && p->residual <= STAGE * s->most;
     return p->largest_gap <= tolerance && p->residual <= tolerance * s->most;
 }
 
@@ -275,47 +326,165 @@ static void approximate(const struct net *net, const struct net_options *o, cons
     }
 }
 
-/* Steps until the bounds are met, and a few more while they still bring something. */
-static enum status iterate(const struct net *net, const struct net_options *o, struct net_work *w,
-                           struct net_state *s)
+/* On the way: bars that are pushed resist being turned as if they were pulled.  Whether there are
+ * any. */
+static int stiffen_bars(const struct net *net, const double *x, struct net_work *w)
 {
-    int polish = 0;
-    enum status status;
+    int any = 0;
+
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        const double *a = x + 3 * p->a, *b = x + 3 * p->b;
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        double *K = w->K + SYM * r, l = length(d), turn = 2 * length(w->bar + 3 * r) / l;
+
+        if (!net_is_bar(p) || !(l < p->rope.L0) || !(l > 0))
+            continue;
+        for (int i = 0, at = 0; i < 3; i++) /* K has -N/l across d: twice that is added */
+            for (int j = i; j < 3; j++, at++)
+                K[at] += turn * ((i == j) - d[i] * d[j] / (l * l));
+        any = 1;
+    }
+    return any;
+}
+
+/* Steps until the bounds are met, and a few more while they still bring something; at most to
+ * step number `last`, or until so many steps in a row were short. */
+static enum status iterate(const struct net *net, const struct net_options *o, double tolerance,
+                           int last, int patience, struct net_work *w, struct net_state *s)
+{
+    int polish = 0, brief = 0;
 
     net_evaluate(net, s->x, s->t, w);
-    s->step[0] = net_measure(net, s->t, w, s);
-    for (s->steps = 0; s->steps < o->steps;) {
-        struct net_step now;
-        int met = is_met(&s->step[s->steps], s, o->tolerance);
+    if (s->steps == 0)
+        s->step[0] = net_measure(net, s->t, w, s);
+    while (s->steps < last && brief < patience) {
+        struct net_step before = net_measure(net, s->t, w, s), now;
+        int met = is_met(&before, s, tolerance);
+        enum status status;
+        double factor;
 
-        if (met && polish++ == POLISH)
+        if (met && (polish++ == POLISH || tolerance == 0))
             break;
         if (s->steps < o->start_steps && o->start != NET_EXACT)
             approximate(net, o, s->t, w);
         status = net_find_step(net, w, &s->worst);
+        if (status == SW_INDEFINITE && !met && stiffen_bars(net, s->x, w))
+            status = net_find_step(net, w, &s->worst);
         if (status != SW_OK)
-            return met ? SW_OK : status;
-        now.factor = search(net, s, w);
-        {
-            double factor = now.factor;
-
-            now = net_measure(net, w->t1, w, s);
-            now.factor = factor;
-        }
-        if (met && !(now.mean_gap < s->step[s->steps].mean_gap / 2))
+            return status; /* balance or not: it would not stay */
+        factor = search(net, s, w);
+        now = net_measure(net, w->t1, w, s);
+        now.factor = factor;
+        if (met && !(now.mean_gap < before.mean_gap / 2)) {
+            net_evaluate(net, s->x, s->t, w);
             break;
+        }
         take(s, net, w);
         s->step[++s->steps] = now;
+        brief = factor < BRIEF ? brief + 1 : 0;
         if (!isfinite(now.mean_gap) || !isfinite(now.residual))
             break;
     }
-    net_evaluate(net, s->x, s->t, w);
-    memcpy(s->residual, w->residual, 3 * sizeof *s->residual * (size_t)net->n);
     {
-        struct net_step last = net_measure(net, s->t, w, s);
+        struct net_step end = net_measure(net, s->t, w, s);
 
-        return is_met(&last, s, o->tolerance) ? SW_OK : SW_NOCONV;
+        return is_met(&end, s, tolerance) ? SW_OK : SW_NOCONV;
     }
+}
+
+/* Of all ropes, a give that no longer matters to the stiffest one. */
+static double least_give(const struct net *net)
+{
+    double stiffest = 0;
+
+    for (int r = 0; r < net->m; r++)
+        stiffest = fmax(stiffest, net->rope[r].rope.law.EA);
+    return GIVE_END / stiffest;
+}
+
+/* Chords are smoothed along with it, as the tensions that are of no account any more. */
+static void set_give(struct net *net, double give, double reference)
+{
+    for (int r = 0; r < net->m; r++)
+        net->rope[r].rope.give = give;
+    net_smooth(net, reference, reference * sqrt(give * reference / 0.1));
+}
+
+/*
+ * The same with ropes that give, less and less: from a strain of a tenth at the reference force to
+ * nothing.  What a stage takes off is fitted to the number of steps that it needs; one that does
+ * not get along is begun again, with less.
+ */
+static enum status iterate_softly(struct net *net, const struct net_options *o, struct net_work *w,
+                                  struct net_state *s)
+{
+    size_t nx = 3 * sizeof *s->x * (size_t)net->n, nt = 3 * sizeof *s->t * (size_t)net->m;
+    double *x = mem_copy(s->x, nx), *t = mem_copy(s->t, nt);
+    double give = 0.1 / w->reference, last = give, off = 0.1, least = least_give(net);
+    enum status status = x && t ? SW_OK : SW_NOMEM;
+
+    while (status == SW_OK && off < GIVE_UP && s->steps < o->steps) {
+        int before = s->steps, first = last == give, room = first ? 4 * SOFT_STEPS : SOFT_STEPS;
+
+        set_give(net, give, w->reference);
+        status = iterate(net, o, 0, before + room < o->steps ? before + room : o->steps,
+                         first ? INT_MAX : 1, w, s);
+        if (status == SW_OK) {
+            memcpy(x, s->x, nx);
+            memcpy(t, s->t, nt);
+            off = s->steps - before <= SOFT_STEPS / 3 ? fmax(off * off, 1e-3) : off;
+            last = give;
+            if (give < least)
+                break;
+        } else if (status == SW_NOCONV && !first) {
+            memcpy(s->x, x, nx);
+            memcpy(s->t, t, nt);
+            off = sqrt(off);
+            status = SW_OK;
+        }
+        give = last * off;
+    }
+    set_give(net, 0, w->reference);
+    if (status == SW_OK)
+        status = iterate(net, o, o->tolerance, o->steps, 4 * SHORT_STEPS, w, s);
+    free(x);
+    free(t);
+    return status;
+}
+
+/*
+ * Where ropes go slack their chords become steps of the tension, on which Newton's method creeps.
+ * Then: the same with smooth chords first, epsilon falling from the reference force to what it
+ * shall be.
+ */
+static enum status iterate_smoothly(struct net *net, const struct net_options *o,
+                                    struct net_work *w, struct net_state *s)
+{
+    enum status status = net_begin(net, w, s);
+
+    for (int k = 0; k <= STAGES && status == SW_OK; k++) {
+        int last = k == STAGES;
+
+        net_smooth(net, w->reference, last ? 0 : w->reference * pow(0.1, k / 2.0));
+        status = iterate(net, o, last ? o->tolerance : 0, o->steps, INT_MAX, w, s);
+        if (status == SW_NOCONV && !last)
+            status = SW_OK;
+    }
+    return status;
+}
+
+/* One way after the other, from the quickest to the safest. */
+static enum status iterate_all_ways(struct net *net, const struct net_options *o,
+                                    struct net_work *w, struct net_state *s)
+{
+    enum status status = iterate(net, o, o->tolerance, o->steps, SHORT_STEPS, w, s);
+
+    if (status == SW_NOCONV && s->steps < o->steps)
+        status = iterate_softly(net, o, w, s);
+    if (status == SW_NOCONV && s->steps < o->steps)
+        status = iterate_smoothly(net, o, w, s);
+    return status;
 }
 
 static enum status new_state(const struct net *net, const struct net_options *o,
@@ -338,6 +507,22 @@ void net_state_free(struct net_state *s)
     *s = (struct net_state){.x = NULL};
 }
 
+/* What the last evaluation says, and the way there. */
+static enum status conclude(const struct net *net, const struct net_options *o, enum status s,
+                            const struct net_work *w, struct net_state *ret)
+{
+    struct net_step end;
+
+    if (s != SW_OK && s != SW_NOCONV)
+        return s;
+    memcpy(ret->residual, w->residual, 3 * sizeof *ret->residual * (size_t)net->n);
+    for (int r = 0; r < net->m; r++) /* bars follow from the positions */
+        if (net_is_bar(&net->rope[r]))
+            memcpy(ret->t + 3 * r, w->bar + 3 * r, 3 * sizeof *ret->t);
+    end = net_measure(net, ret->t, w, ret);
+    return is_met(&end, ret, o->tolerance) ? SW_OK : SW_NOCONV;
+}
+
 enum status net_solve(struct net *net, const struct net_options *o, struct net_state *ret)
 {
     struct net_work w = {.dof = NULL};
@@ -348,16 +533,25 @@ enum status net_solve(struct net *net, const struct net_options *o, struct net_s
     if (s == SW_OK) {
         ret->size = net_size(net);
         w.reference = net_reference(net);
-        net_smooth(net, w.reference);
+        net_smooth(net, w.reference, 0);
         if (o->method == NET_IMAGINARY)
             s = net_imaginary(net, o, &w, ret);
+        else if (o->method == NET_DISPLACEMENT)
+            s = net_displace(net, o, &w, ret);
         else
             s = net_begin(net, &w, ret);
     }
     if (s == SW_OK && o->method == NET_GAP)
-        s = iterate(net, o, &w, ret);
+        s = iterate_all_ways(net, o, &w, ret);
+    s = conclude(net, o, s, &w, ret);
     net_work_free(&w);
     if (s == SW_NOMEM)
         net_state_free(ret);
     return s;
+}
+
+enum status net_iterate(const struct net *net, const struct net_options *o, struct net_work *w,
+                        struct net_state *s)
+{
+    return iterate(net, o, o->tolerance, o->steps, INT_MAX, w, s);
 }

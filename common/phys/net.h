@@ -29,7 +29,8 @@ struct net_node {
 };
 
 struct net_rope {
-    int a, b; /* nodes */
+    int a, b;  /* nodes */
+    int pulls; /* a rope of one element: whether it carries tension only */
     struct rope rope;
 };
 
@@ -55,6 +56,7 @@ struct net_options {
 
 struct net_step {
     double mean_gap, largest_gap; /* over the system's size */
+    double gap_of_rope;           /* largest over the rope's own length */
     double residual;              /* largest [N] */
     double factor;                /* by which the step was shortened */
 };

@@ -163,13 +163,16 @@ static enum status iterate(const struct net *net, const struct net_options *o, s
 
     lay_out(net, t, s->x, s->t);
     best = missed(net, s->x);
-    s->step[0] = (struct net_step){sqrt(best) / s->size, sqrt(best) / s->size, 0, 1};
+    s->step[0] = (struct net_step){.mean_gap = sqrt(best) / s->size,
+                                   .largest_gap = sqrt(best) / s->size,
+                                   .factor = 1};
     while (s->steps < o->steps && sqrt(best) > o->tolerance * s->size / 10) {
         pull_on(net, o, s->x, w->reference, s->size, halved, best, t);
         lay_out(net, t, w->x1, w->t1);
         gaps = missed(net, w->x1);
-        s->step[++s->steps] =
-            (struct net_step){sqrt(gaps) / s->size, sqrt(gaps) / s->size, 0, halved};
+        s->step[++s->steps] = (struct net_step){.mean_gap = sqrt(gaps) / s->size,
+                                                .largest_gap = sqrt(gaps) / s->size,
+                                                .factor = halved};
         if (!(gaps < best)) {
             halved /= 2;
             if (!(halved > 1e-300))
@@ -204,7 +207,6 @@ enum status net_imaginary(const struct net *net, const struct net_options *o, st
         if (is_fixed(&net->node[i]))
             memcpy(s->x + 3 * i, net->node[i].x, 3 * sizeof *s->x);
     net_evaluate(net, s->x, s->t, w);
-    memcpy(s->residual, w->residual, 3 * sizeof *s->residual * (size_t)net->n);
     net_measure(net, s->t, w, s);
     return status;
 }

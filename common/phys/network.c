@@ -204,13 +204,14 @@ double net_reference(const struct net *net)
     return load > 0 ? load / (held > 0 ? held : 1) : softest / 1000;
 }
 
-void net_smooth(struct net *net, double reference)
+void net_smooth(struct net *net, double reference, double least)
 {
     for (int r = 0; r < net->m; r++) {
         struct rope *p = &net->rope[r].rope;
         double load = norm(p->q) * p->L0;
 
         p->epsilon = load > WEIGHTLESS * reference ? SMOOTH * load : WEIGHTLESS * reference;
+        p->epsilon = fmax(p->epsilon, least);
     }
 }
 
@@ -231,6 +232,19 @@ static void place_nodes(const struct net *net, double *x)
             x[3 * i + c] = !isnan(net->node[i].x[c]) ? net->node[i].x[c]
                            : count[c] > 0            ? middle[c] / count[c]
                                                      : 0;
+}
+
+/* Where bars end, a guess tells which of several equilibria is meant. */
+static void keep_guesses(const struct net *net, double *dx)
+{
+    for (int r = 0; r < net->m; r++)
+        for (int end = 0; end < 2 && net_is_bar(&net->rope[r]); end++) {
+            int i = end ? net->rope[r].b : net->rope[r].a;
+
+            for (int c = 0; c < 3; c++)
+                if (!isnan(net->node[i].x[c]))
+                    dx[3 * i + c] = 0;
+        }
 }
 
 enum status net_begin(const struct net *net, struct net_work *w, struct net_state *s)
@@ -263,6 +277,7 @@ enum status net_begin(const struct net *net, struct net_work *w, struct net_stat
     status = net_find_step(net, w, &s->worst);
     if (status != SW_OK)
         return status;
+    keep_guesses(net, w->dx);
     for (int i = 0; i < 3 * net->n; i++)
         s->x[i] += w->dx[i];
     for (int i = 0; i < 3 * net->m; i++)

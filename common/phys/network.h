@@ -44,8 +44,8 @@ double net_size(const struct net *net);
  * softest rope's EA [N]. */
 double net_reference(const struct net *net);
 
-/* Set epsilon of all ropes. */
-void net_smooth(struct net *net, double reference);
+/* Set epsilon of all ropes to what it shall be in the end, but not below `least` [N]. */
+void net_smooth(struct net *net, double reference, double least);
 
 /* Chord, stiffness and gap of all ropes and residual of all nodes at x and t. */
 void net_evaluate(const struct net *net, const double *x, const double *t, struct net_work *w);
@@ -68,5 +68,14 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
  * or nodes held in some directions only. */
 enum status net_imaginary(const struct net *net, const struct net_options *o, struct net_work *w,
                           struct net_state *s);
+
+/* The matrix displacement method (71-76) on s, from nothing: all elements at once, no cuts.
+ * SW_ADMISSIBLE: continuous ropes. */
+enum status net_displace(const struct net *net, const struct net_options *o, struct net_work *w,
+                         struct net_state *s);
+
+/* Steps from the state s, without smoothing.  SW_NOCONV, and as net_find_step. */
+enum status net_iterate(const struct net *net, const struct net_options *o, struct net_work *w,
+                        struct net_state *s);
 
 #endif

@@ -28,13 +28,32 @@ double rope_strain(const struct rope_law *law, double T, double *ret_slope)
     return e0 + (T - T0) * *ret_slope;
 }
 
-/* x += l0 (1 + e) t/T and F += l0 {(1 + e)/T [I - t t^T/T^2] + e' t t^T/T^2}, T smoothed. */
-static void add_element(const struct rope_law *law, double l0, double epsilon, const double t[3],
-                        double x[3], double F[SYM], double *ret_strain)
+double rope_tension(const struct rope_law *law, double e, double *ret_slope)
 {
-    double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + epsilon * epsilon;
-    double T = sqrt(square), slope, e = rope_strain(law, T, &slope);
-    double along = l0 * (1 + e) / T, change = (l0 * slope - along) / square;
+    int k = 0;
+    double e0 = 0, T0 = 0;
+
+    if (law->n == 0) {
+        *ret_slope = law->EA;
+        return law->EA * e;
+    }
+    while (k < law->n - 1 && law->strain[k] <= e)
+        k++;
+    if (k > 0) {
+        e0 = law->strain[k - 1];
+        T0 = law->tension[k - 1];
+    }
+    *ret_slope = (law->tension[k] - T0) / (law->strain[k] - e0);
+    return T0 + (e - e0) * *ret_slope;
+}
+
+/* x += l0 (1 + e) t/T and F += l0 {(1 + e)/T [I - t t^T/T^2] + e' t t^T/T^2}, T smoothed. */
+static void add_element(const struct rope *r, double l0, const double t[3], double x[3],
+                        double F[SYM], double *ret_strain)
+{
+    double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + r->epsilon * r->epsilon;
+    double T = sqrt(square), slope, e = rope_strain(&r->law, T, &slope) + r->give * T;
+    double along = l0 * (1 + e) / T, change = (l0 * (slope + r->give) - along) / square;
 
     for (int i = 0; i < 3; i++)
         x[i] += along * t[i];
@@ -62,7 +81,7 @@ static void chain_chord(const struct rope *r, const double ta[3], double chord[3
     double t[3] = {ta[0], ta[1], ta[2]}, l0 = r->L0 / r->elements, load[3];
 
     for (int k = 1; k <= r->elements; k++) {
-        add_element(&r->law, l0, r->epsilon, t, chord, F, NULL);
+        add_element(r, l0, t, chord, F, NULL);
         if (k == r->elements)
             break;
         joint_load(r, k, load);
@@ -89,7 +108,7 @@ static void quadrature(const struct rope *r, const double ta[3], double L, doubl
         double s = node_at[k] * L;
         const double t[3] = {ta[0] - r->q[0] * s, ta[1] - r->q[1] * s, ta[2] - r->q[2] * s};
 
-        add_element(&r->law, node_weight[k] * L, r->epsilon, t, chord, F, NULL);
+        add_element(r, node_weight[k] * L, t, chord, F, NULL);
     }
 }
 
@@ -107,7 +126,8 @@ static void continuous_chord(const struct rope *r, const double ta[3], double L,
                              double F[SYM])
 {
     const double *q = r->q;
-    double w = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]), W = w * L, EA = r->law.EA;
+    double w = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]), W = w * L;
+    double EA = 1 / (1 / r->law.EA + r->give);
     double u[3], h[3], v1 = 0, v2, H2 = r->epsilon * r->epsilon, T1, T2, least;
     double S, rest, P, R, Q, vertical;
 
@@ -197,7 +217,7 @@ void rope_points(const struct rope *r, const double t[3], int n, struct rope_poi
         *p = *before;
         p->s = k < n - 1 ? k * l0 : r->L0;
         if (r->elements > 0)
-            add_element(&r->law, l0, r->epsilon, before->t, p->x, NULL, &before->strain);
+            add_element(r, l0, before->t, p->x, NULL, &before->strain);
         else
             continuous_chord(r, before->t, l0, p->x, NULL);
         for (int i = 0; i < 3; i++)

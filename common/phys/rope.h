@@ -23,6 +23,9 @@ struct rope_law {
 /* Strain at tension T >= 0 [N] and its derivative [1/N]; beyond the table by its last slope. */
 double rope_strain(const struct rope_law *law, double T, double *ret_slope);
 
+/* Tension at strain e > 0 [N] and its derivative [N]: the other way round. */
+double rope_tension(const struct rope_law *law, double e, double *ret_slope);
+
 struct rope {
     struct rope_law law;
     double L0;          /* unstretched length [m] */
@@ -30,6 +33,7 @@ struct rope {
     double q[3];        /* uniform load [N] per unstretched metre */
     const double *load; /* (elements - 1, 3) at the joints [N], in place of q, or NULL; not owned */
     double epsilon;     /* [N], > 0 */
+    double give;        /* further strain for each N, while a solution is looked for [1/N] */
 };
 
 /* Symmetric 3 x 3: xx, xy, xz, yy, yz, zz. */

@@ -200,3 +200,21 @@ void csv_end(struct csv *c)
     }
     *c = (struct csv){0};
 }
+
+char **csv_copy(const struct csv *c)
+{
+    size_t bytes = sizeof(char *) * (size_t)c->n;
+    char **ret, *at;
+
+    for (int i = 0; i < c->n; i++)
+        bytes += strlen(c->cell[i]) + 1;
+    ret = mem_zeroed(bytes, 1);
+    if (!ret)
+        return NULL;
+    at = (char *)(ret + c->n);
+    for (int i = 0; i < c->n; i++) {
+        ret[i] = strcpy(at, c->cell[i]);
+        at += strlen(at) + 1;
+    }
+    return ret;
+}

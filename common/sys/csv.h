@@ -38,6 +38,10 @@ enum status csv_width(const struct csv *c, int n, struct why *why);
 /* Cell i as a finite number.  SW_FORMAT with file, line and column number. */
 enum status csv_number(const struct csv *c, int i, double *ret, struct why *why);
 
+/* A copy of the cells of the present row, in one piece of memory to be freed; NULL: memory ran out.
+ */
+char **csv_copy(const struct csv *c);
+
 /* fail with "file:line: text". */
 __attribute__((format(printf, 3, 4))) enum status csv_fail(struct why *why, const struct csv *c,
                                                            const char *format, ...);

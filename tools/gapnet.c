@@ -1,0 +1,257 @@
+/* gapnet: equilibrium of systems of ropes and nets by the gap method. */
+#include "form/netfiles.h"
+#include "form/start.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct {
+    struct opt_common common;
+    const char *method, *rope, *step, *stiffness;
+    int verify, lint;
+} args;
+
+static const struct opt options[] = {
+    OPT_OUT(&args.common),
+    {NULL, 'd', OPT_TEXT, &args.common.dir, "DIR", "write all tables there", 0, 0},
+    {"method", 0, OPT_TEXT, &args.method, "NAME", "gap, displacement or imaginary", 0, 0},
+    {"step", 0, OPT_TEXT, &args.step, "NAME", "of imaginary: constant, unit or span", 0, 0},
+    {"rope", 0, OPT_TEXT, &args.rope, "NAME", "chain, catenary or auto", 0, 0},
+    {"verify", 0, OPT_FLAG, &args.verify, NULL, "solve by a second method and compare", 0, 0},
+    {"stiffness", 0, OPT_TEXT, &args.stiffness, "NODES",
+     "stiffness of these nodes (a,b,...), condensed on the rest", 0, 0},
+    {"lint", 0, OPT_FLAG, &args.lint, NULL, "only check the system", 0, 0},
+    OPT_COMMON(&args.common),
+};
+
+static const struct opt_tool tool = {"gapnet", "SYSTEM",
+                                     "Equilibrium of systems of ropes and nets by the gap method.",
+                                     options};
+
+static struct system_case c;
+static struct system all;
+static struct net_state state;
+
+/* An option is a shorter way to say a key of [solve]; --set goes first. */
+static void set_word(const char *option, const char *words, const char *given, int *to)
+{
+    int at = 0;
+
+    if (!given)
+        return;
+    for (const char *p = words; *p; p += strcspn(p, " "), p += *p == ' ', at++)
+        if (strcspn(p, " ") == strlen(given) && strncmp(p, given, strlen(given)) == 0) {
+            *to = at;
+            return;
+        }
+    die(SW_USAGE, "option --%s: '%s' is not one of: %s", option, given, words);
+}
+
+static void load(const char *path)
+{
+    struct why why;
+
+    must(system_case_load(path, &args.common.sets, &c, &why), &why);
+    set_word("method", "gap displacement imaginary", args.method, &c.method);
+    set_word("rope", "auto chain catenary", args.rope, &c.rope);
+    set_word("step", "constant unit span", args.step, &c.pull);
+    if (args.common.print_case) {
+        struct out o;
+
+        must(out_open(&o, args.common.out, &why), &why);
+        system_case_print(&c, &o);
+        must(out_close(&o, &why), &why);
+        exit(0);
+    }
+    must(system_load(path, &c, &all, &why), &why);
+}
+
+static struct net_options solver_options(int method)
+{
+    return (struct net_options){.method = (enum net_method)method,
+                                .start = (enum net_stiffness)c.start,
+                                .start_steps = c.start_steps,
+                                .pull = (enum net_pull)c.pull,
+                                .tolerance = c.tolerance,
+                                .steps = c.steps};
+}
+
+static const char *method_name(int method)
+{
+    static const char *const name[] = {"gap", "displacement", "imaginary"};
+
+    return name[method];
+}
+
+static const char *node_name(int i)
+{
+    return i >= 0 ? system_node(&all, i) : "(a joint)";
+}
+
+/* Words for a system that a method did not solve. */
+static void explain(enum status s, int method, const struct net_state *p, struct why *why)
+{
+    int worst = -1;
+    double unbalance = s == SW_NOCONV ? net_unbalance(&all, p, &worst) : 0;
+
+    if (s == SW_ADMISSIBLE && method == NET_IMAGINARY)
+        fail(why, s,
+             "method imaginary needs a system without closed parts, bars, springs, floats and "
+             "nodes that are held in some directions only");
+    else if (s == SW_ADMISSIBLE)
+        fail(why, s, "method displacement needs ropes of elements: take --rope chain");
+    else if (s == SW_INDEFINITE)
+        fail(why, s, "a mechanism: nothing holds node '%s' where it is", node_name(p->worst));
+    else if (s == SW_NOCONV)
+        fail(why, s,
+             "not solved in %d steps: the largest gap is %.3g of the system's size, the largest "
+             "residual %.3g of the largest tension, at node '%s'",
+             p->steps, p->step[p->steps].largest_gap, unbalance, node_name(worst));
+    else
+        fail(why, s, "%s", status_text(s));
+}
+
+static void tell(const char *text)
+{
+    struct why why;
+
+    fail(&why, SW_FORMAT, "%s", text);
+    report(&why);
+}
+
+/* Largest distance between the nodes of the solution and those of another method [m]. */
+static double verify(void)
+{
+    int other = c.method == NET_GAP ? NET_DISPLACEMENT : NET_GAP;
+    struct net_options o = solver_options(other);
+    struct net_state second;
+    struct why why;
+    double most = 0;
+    enum status s = net_solve(&all.net, &o, &second);
+
+    if (s != SW_OK) {
+        explain(s, other, &second, &why);
+        die(s, "--verify, method %s: %s", method_name(other), why.text);
+    }
+    for (int i = 0; i < 3 * all.net.n; i++)
+        most = fmax(most, fabs(second.x[i] - state.x[i]));
+    net_state_free(&second);
+    note("%s and %s differ by %.3g m", method_name(c.method), method_name(other), most);
+    return most;
+}
+
+static void remark(void)
+{
+    for (int r = 0; r < all.net.m; r++) {
+        const struct rope_law *law = &all.net.rope[r].rope.law;
+        double ta[3], tb[3], most, least;
+
+        net_ends(&all.net, &state, r, ta, tb);
+        rope_extremes(&all.net.rope[r].rope, ta, &most, &least);
+        if (most > all.type[all.type_of[r]].breaking)
+            warn("rope '%s' is over its breaking load: %.6g N", system_rope(&all, r), most);
+        if (law->n > 0 && most > law->tension[law->n - 1])
+            die(SW_ADMISSIBLE, "rope '%s' carries %.6g N; its tension table ends at %.6g N",
+                system_rope(&all, r), most, law->tension[law->n - 1]);
+    }
+}
+
+/* The nodes a,b,... of --stiffness; their number. */
+static int choose(int *ret)
+{
+    const char *p = args.stiffness;
+    int k = 0;
+
+    while (*p) {
+        size_t length = strcspn(p, ",");
+        int found = -1;
+
+        for (int i = 0; i < all.net.n; i++)
+            if (strlen(system_node(&all, i)) == length &&
+                strncmp(system_node(&all, i), p, length) == 0)
+                found = i;
+        if (found < 0)
+            die(SW_USAGE, "option --stiffness: there is no node '%.*s'", (int)length, p);
+        for (int i = 0; i < k; i++)
+            if (ret[i] == found)
+                die(SW_USAGE, "option --stiffness: node '%.*s' is named twice", (int)length, p);
+        ret[k++] = found;
+        p += length;
+        p += *p == ',';
+    }
+    return k;
+}
+
+static void print_stiffness(void)
+{
+    int *chosen = malloc(sizeof *chosen * (size_t)all.net.n), k;
+    double *K;
+    struct out o;
+    struct why why;
+    enum status s;
+
+    if (!chosen)
+        die(SW_NOMEM, "%s", status_text(SW_NOMEM));
+    k = choose(chosen);
+    K = calloc(9 * (size_t)k * (size_t)k + 1, sizeof *K);
+    s = K ? net_stiffness(&all.net, &state, chosen, k, K) : SW_NOMEM;
+    if (s != SW_OK)
+        die(s, "stiffness: %s", status_text(s));
+    if (args.common.dir) {
+        must(net_write_stiffness(args.common.dir, &all, chosen, k, K, &why), &why);
+    } else {
+        must(out_open(&o, args.common.out, &why), &why);
+        net_print_stiffness(&all, chosen, k, K, &o);
+        must(out_close(&o, &why), &why);
+    }
+    free(chosen);
+    free(K);
+}
+
+static void print_results(const struct net_report *r)
+{
+    struct out o;
+    struct why why;
+
+    if (args.common.dir) {
+        must(net_write(args.common.dir, &all, &state, r, &why), &why);
+    } else if (!args.stiffness) {
+        must(out_open(&o, args.common.out, &why), &why);
+        net_print_nodes(&all, &state, &o);
+        must(out_close(&o, &why), &why);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    int operand = start_options(&tool, &args.common, argc, argv);
+    struct net_report r = {.difference = NAN};
+    struct net_options o;
+    struct why why;
+
+    if (operand != argc - 1)
+        opt_usage(&tool);
+    load(argv[operand]);
+    if (args.lint)
+        return system_lint(&all, tell) > 0;
+    o = solver_options(c.method);
+    r.method = method_name(c.method);
+    r.status = net_solve(&all.net, &o, &state);
+    if (r.status != SW_OK) {
+        explain(r.status, c.method, &state, &why);
+        if (r.status == SW_NOCONV && args.common.dir)
+            print_results(&r); /* how far it came */
+        must(r.status, &why);
+    }
+    remark();
+    if (args.verify)
+        r.difference = verify();
+    print_results(&r);
+    if (args.stiffness)
+        print_stiffness();
+    net_state_free(&state);
+    system_free(&all);
+    opt_list_free(&args.common.sets);
+    return 0;
+}
