@@ -459,6 +459,12 @@ static double lift_rate(int n)
                        print_lift);
 }
 
+static double exact_rate(int n)
+{
+    return filter_rate(n, "sling --exact",
+                       "type,v_m,s_m,z_m,phi_deg,gamma_deg,m_spreader_t,m_load_t\n", print_lift);
+}
+
 static struct rope steel(double length)
 {
     return (struct rope){.law = {.EA = 1e6}, .L0 = length, .q = {0, 0, -1}};
@@ -579,6 +585,7 @@ int main(void)
     report("catenary --table: rows read and printed", median(table_rate, 200000), "1/s",
            1e5 * scale, 1);
     report("sling: rows read and printed", median(lift_rate, 200000), "1/s", 1e5 * scale, 1);
+    report("sling --exact: rows", median(exact_rate, 200), "1/s", 0, 1);
     report("number printed", median(print_time, 1000000), "ns", 150 / scale, 0);
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         snprintf(what, sizeof what, "modal, all modes, n = %d", sizes[i]);

@@ -1,6 +1,8 @@
 /* sling: is this lift stable?  Metacentric heights of arrangements, one a row. */
+#include "form/appraise.h"
 #include "form/axis.h"
-#include "form/doubt.h"
+#include "form/lever.h"
+#include "form/result.h"
 #include "sys/number.h"
 
 #include <math.h>
@@ -11,7 +13,7 @@ static struct {
     struct opt_common common;
     const char *limit, *require, *design, *contour;
     long samples, seed;
-    int derivatives;
+    int derivatives, exact, lever;
 } args = {.seed = 1};
 
 static const struct opt options[] = {
@@ -20,6 +22,10 @@ static const struct opt options[] = {
      0},
     {"require", 0, OPT_TEXT, &args.require, "VERDICT", "status 1 if a row has a worse verdict", 0,
      0},
+    {"exact", 0, OPT_FLAG, &args.exact, NULL,
+     "judge by exact statics, too: large tilts, elastic slings, edges, two hooks", 0, 0},
+    {"lever", 0, OPT_FLAG, &args.lever, NULL, "table of righting levers and moments over the tilt",
+     0, 0},
     {"samples", 0, OPT_INTEGER, &args.samples, "N", "arrangements drawn within the tolerances", 1,
      1000000000},
     {"seed", 0, OPT_INTEGER, &args.seed, "S", "of their random numbers, default 1", 0, 2147483647},
@@ -49,80 +55,16 @@ struct asked {
     enum verdict require;
     int design; /* number to find, -1: none */
     double wanted;
-    int ends, tolerances; /* whether their columns are printed */
+    struct result_asked result;
+    int tolerances; /* whether their columns are printed */
 };
-
-#define KILO(x) ((x) / 1000)
-#define DEGREES(x) ((x) * (180 / 3.14159265358979323846))
-
-/* Numbers that follow the five fixed columns. */
-#define RESULTS(X)                                                                                 \
-    X(h_long_m, j->view[RIGGING_LONG])                                                             \
-    X(h_cross_m, j->view[RIGGING_CROSS])                                                           \
-    X(h_document_m, j->document_least)                                                             \
-    X(h_document_long_m, j->document[RIGGING_LONG])                                                \
-    X(h_document_cross_m, j->document[RIGGING_CROSS])                                              \
-    X(rise_critical_m, j->rise)                                                                    \
-    X(v_critical_m, j->v_critical)                                                                 \
-    X(gamma_critical_deg, DEGREES(j->gamma_critical))                                              \
-    X(centre_m, j->centre)                                                                         \
-    X(virtual_m, j->virtual_centre)                                                                \
-    X(tilt_spreader_deg, DEGREES(j->at.spreader))                                                  \
-    X(tilt_load_deg, DEGREES(j->at.load))                                                          \
-    X(force_low_kN, KILO(j->at.primary_low))                                                       \
-    X(force_high_kN, KILO(j->at.primary_high))                                                     \
-    X(use_primary, j->use_primary)                                                                 \
-    X(secondary_low_kN, KILO(j->at.secondary_low))                                                 \
-    X(secondary_high_kN, KILO(j->at.secondary_high))                                               \
-    X(use_secondary, j->use_secondary)                                                             \
-    X(moment_0_kNm, KILO(j->at.moment_0))                                                          \
-    X(moment_kNm, KILO(j->at.moment))                                                              \
-    X(range_deg, DEGREES(j->at.range))
-
-/* Of each end of a pair. */
-#define END_RESULTS(X, k, e)                                                                       \
-    X(c_##k, e.c)                                                                                  \
-    X(h_##k##_m, e.h)                                                                              \
-    X(m_##k##_t, KILO(e.m))                                                                        \
-    X(centre_##k##_m, e.centre)                                                                    \
-    X(virtual_##k##_m, e.virtual_centre)                                                           \
-    X(tilt_spreader_##k##_deg, DEGREES(e.at.spreader))                                             \
-    X(force_low_##k##_kN, KILO(e.at.primary_low))                                                  \
-    X(force_high_##k##_kN, KILO(e.at.primary_high))                                                \
-    X(use_primary_##k, e.use_primary)                                                              \
-    X(secondary_low_##k##_kN, KILO(e.at.secondary_low))                                            \
-    X(secondary_high_##k##_kN, KILO(e.at.secondary_high))                                          \
-    X(use_secondary_##k, e.use_secondary)
-#define PAIR_RESULTS(X)                                                                            \
-    X(h_coupled_m, j->coupled)                                                                     \
-    END_RESULTS(X, 1, j->end[0])                                                                   \
-    END_RESULTS(X, 2, j->end[1])
-
-#define COLUMN(name, value) "," #name
-#define VALUE(name, value) value,
-
-/* A number as a cell of its own, empty for NAN. */
-static void cell(struct out *o, double x)
-{
-    putc(',', o->f);
-    if (!isnan(x))
-        out_number(o, x);
-}
-
-static void cells(struct out *o, const double *x, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        cell(o, x[i]);
-}
 
 static void print_header(const struct lift_table *t, const struct asked *a, struct out *o)
 {
     char name[LIFT_NAME];
 
     lift_print_header(t, o);
-    fputs(",c,h_m,z_critical_m,verdict,why" RESULTS(COLUMN), o->f);
-    if (a->ends)
-        fputs(PAIR_RESULTS(COLUMN), o->f);
+    result_header(&a->result, o);
     if (a->tolerances)
         fputs(",h_worst_m", o->f);
     if (args.samples)
@@ -141,21 +83,6 @@ static void print_header(const struct lift_table *t, const struct asked *a, stru
     putc('\n', o->f);
 }
 
-static void print_judgement(const struct judgement *j, const struct asked *a, struct out *o)
-{
-    const double first[] = {j->c, j->h, j->z_critical}, more[] = {RESULTS(VALUE)};
-
-    cells(o, first, 3);
-    fprintf(o->f, ",%s,", verdict_name(j->verdict));
-    out_cell(o, j->why);
-    cells(o, more, sizeof more / sizeof *more);
-    if (a->ends) {
-        const double ends[] = {PAIR_RESULTS(VALUE)};
-
-        cells(o, ends, sizeof ends / sizeof *ends);
-    }
-}
-
 static void print_derivatives(const struct lift_table *t, const struct lift_given *g,
                               const struct lift *l, struct out *o)
 {
@@ -166,7 +93,7 @@ static void print_derivatives(const struct lift_table *t, const struct lift_give
     doubt_slopes(g, l, slopes);
     for (int i = 0; i < LIFT_NUMBERS; i++)
         if (lift_is_input(i) && lift_has(t, i, 0))
-            cell(o, slopes[i]);
+            result_cell(o, slopes[i]);
     greatest = doubt_greatest(g, slopes);
     if (greatest >= 0)
         lift_name(greatest, name);
@@ -175,30 +102,39 @@ static void print_derivatives(const struct lift_table *t, const struct lift_give
 
 /* One row that can be used; returns whether what was asked for was found. */
 static int print_row(const struct lift_table *t, const struct asked *a, const struct lift_given *g,
-                     const struct lift *l, enum verdict *ret, struct out *o)
+                     const struct lift *l, enum verdict *ret, struct why *why, struct out *o)
 {
-    double worst = a->tolerances ? doubt_worst(g, l) : NAN, found = NAN;
-    struct judgement j;
+    struct appraisal p;
+    double found = 0;
 
-    judge(l, a->limit, worst, &j);
-    print_judgement(&j, a, o);
+    appraise(g, l, a->limit, a->result.exact, &p);
+    result_row(&p.j, &a->result, p.has_exact ? &p.exact : NULL, o);
+    *ret = p.j.verdict;
     if (a->tolerances)
-        cell(o, worst);
+        result_cell(o, p.worst);
     if (args.samples) {
         struct doubt d;
 
         doubt_sample(g, args.samples, args.seed, a->limit, &d);
-        cells(o, (double[]){d.probability, d.mean, d.deviation}, 3);
+        result_cells(o, (double[]){d.probability, d.mean, d.deviation}, 3);
     }
     if (args.derivatives)
         print_derivatives(t, g, l, o);
     if (a->design >= 0) {
         found = doubt_design(g, a->design, a->wanted);
-        cell(o, found / lift_unit(a->design));
+        result_cell(o, found / lift_unit(a->design));
     }
     putc('\n', o->f);
-    *ret = j.verdict;
-    return a->design < 0 || !isnan(found);
+    if (isnan(found)) {
+        char name[LIFT_NAME];
+
+        lift_name(a->design, name);
+        fail(why, SW_INFEASIBLE, "--design: no %s near the present one gives %.6g m", name,
+             a->wanted);
+    }
+    if (p.failed)
+        *why = p.why;
+    return !p.failed && !isnan(found);
 }
 
 /* A row that cannot be used: the reason stands in why, numbers are empty. */
@@ -208,7 +144,7 @@ static void print_refused(const struct lift_table *t, const struct asked *a, con
     struct judgement j;
 
     judge_not(reason, &j);
-    print_judgement(&j, a, o);
+    result_row(&j, &a->result, NULL, o);
     for (int n = a->tolerances + (args.samples ? 3 : 0) + args.derivatives + (a->design >= 0);
          n > 0; n--)
         putc(',', o->f);
@@ -239,14 +175,9 @@ static int run_row(const struct lift_table *t, const struct asked *a, enum statu
         count[VERDICT_NONE]++;
         return 0;
     }
-    found = print_row(t, a, g, &l, &verdict, o);
+    found = print_row(t, a, g, &l, &verdict, why, o);
     count[verdict]++;
     if (!found) {
-        char name[LIFT_NAME];
-
-        lift_name(a->design, name);
-        fail(why, SW_INFEASIBLE, "--design: no %s near the present one gives %.6g m", name,
-             a->wanted);
         lift_fail(t, why);
         report(why);
         return 0;
@@ -288,7 +219,7 @@ static int print_cases(struct lift_table *t, struct out *o)
         fprintf(o->f, "%s,%s,%s", lift_type_name(g.type[0]), lift_type_name(g.type[1]),
                 lift_type_name(g.type[2]));
         for (int i = 0; i < LIFT_NUMBERS; i++)
-            cell(o, g.x[i] / lift_unit(i));
+            result_cell(o, g.x[i] / lift_unit(i));
         putc('\n', o->f);
     }
 }
@@ -313,6 +244,38 @@ static int run_table(struct lift_table *t, const struct asked *a, struct out *o)
     }
     note("%ld stable, %ld marginal, %ld unstable, %ld not judged", count[VERDICT_STABLE],
          count[VERDICT_MARGINAL], count[VERDICT_UNSTABLE], count[VERDICT_NONE]);
+    if (args.require && count[0] + count[1] + count[2] + count[VERDICT_NONE] == 0) {
+        fail(&why, SW_INFEASIBLE, "%s: has no row that could be %s", t->csv.name, args.require);
+        report(&why);
+        return 0;
+    }
+    return all;
+}
+
+/* Levers of all rows; returns whether all could be used. */
+static int print_levers(struct lift_table *t, struct out *o)
+{
+    struct lift_given g;
+    struct lift l;
+    struct why why;
+    int all = 1, end;
+
+    lever_header(o);
+    for (long row = 1; !out_failed(o); row++) {
+        enum status s = lift_row(t, &g, &end, &why);
+
+        if (s == SW_READ || s == SW_NOMEM)
+            must(s, &why);
+        if (s == SW_OK && end)
+            break;
+        if (s == SW_OK && ((s = lift_make(&g, &l, &why)) != SW_OK ||
+                           (s = lever_row(&l, row, lift_label(t), o, &why)) != SW_OK))
+            lift_fail(t, &why);
+        if (s != SW_OK) {
+            report(&why);
+            all = 0;
+        }
+    }
     return all;
 }
 
@@ -325,20 +288,20 @@ static void print_contour(struct lift_given *g, double limit, struct out *o)
     fprintf(o->f, "%s,%s,h_m,verdict,why\n", a.name, b.name);
     for (long i = 0; i < a.n && !out_failed(o); i++)
         for (long k = 0; k < b.n; k++) {
-            struct judgement j;
+            struct appraisal p;
             struct lift l;
 
             g->x[a.number] = axis_value(&a, i) * lift_unit(a.number);
             g->x[b.number] = axis_value(&b, k) * lift_unit(b.number);
             if (lift_make(g, &l, &why) == SW_OK)
-                judge(&l, limit, doubt_worst(g, &l), &j);
+                appraise(g, &l, limit, 0, &p);
             else
-                judge_not(why.text, &j);
+                judge_not(why.text, &p.j);
             out_number(o, axis_value(&a, i));
-            cell(o, axis_value(&b, k));
-            cell(o, j.least);
-            fprintf(o->f, ",%s,", verdict_name(j.verdict));
-            out_cell(o, j.why);
+            result_cell(o, axis_value(&b, k));
+            result_cell(o, p.j.least);
+            fprintf(o->f, ",%s,", verdict_name(p.j.verdict));
+            out_cell(o, p.j.why);
             putc('\n', o->f);
         }
 }
@@ -363,7 +326,7 @@ static void read_options(struct asked *a)
     const char *equals = args.design ? strchr(args.design, '=') : NULL;
     int tolerance;
 
-    *a = (struct asked){.require = VERDICT_NONE, .design = -1};
+    *a = (struct asked){.require = VERDICT_NONE, .design = -1, .result = {.exact = args.exact}};
     if (args.limit && (number_read(args.limit, &a->limit) || !(a->limit >= 0)))
         die(SW_USAGE, "--limit %s: expected a height in metres, not negative", args.limit);
     while (args.require && a->require > VERDICT_STABLE &&
@@ -384,8 +347,11 @@ static void read_options(struct asked *a)
     if (args.design && a->design < 0)
         die(SW_USAGE, "--design %s: expected COLUMN=H, a number of the arrangement and a height",
             args.design);
-    if (args.contour && (args.design || args.samples || args.derivatives || args.require))
-        die(SW_USAGE, "--contour cannot be combined with other questions");
+    if ((args.contour || args.lever) &&
+        (args.design || args.samples || args.derivatives || args.require || args.exact ||
+         (args.contour && args.lever)))
+        die(SW_USAGE, "--%s cannot be combined with other questions",
+            args.contour ? "contour" : "lever");
 }
 
 /* Whether the arrangement is that of --set alone: no file is named, and its type is set. */
@@ -435,7 +401,7 @@ int main(int argc, char **argv)
     if (!alone)
         must(in_open(operand < argc ? argv[operand] : "-", &in, &why), &why);
     must(lift_begin(alone ? NULL : &in, &args.common.sets, &t, &why), &why);
-    asked.ends = lift_has_ends(&t);
+    asked.result.ends = lift_has_ends(&t);
     for (int i = 0; i < LIFT_NUMBERS; i++)
         asked.tolerances |= lift_has(&t, i, 1);
     if (args.samples && !asked.tolerances)
@@ -450,7 +416,9 @@ int main(int argc, char **argv)
         print_contour(&g, asked.limit, &o);
     } else {
         must(out_open(&o, args.common.out, &why), &why);
-        all = args.common.print_case ? print_cases(&t, &o) : run_table(&t, &asked, &o);
+        all = args.common.print_case ? print_cases(&t, &o)
+              : args.lever           ? print_levers(&t, &o)
+                                     : run_table(&t, &asked, &o);
     }
     lift_end(&t);
     in_close(&in);

@@ -71,7 +71,7 @@ static enum status refuse_fault(const struct rigging_fault *f, int end, struct w
 }
 
 static enum status complete(const double *x, int end, enum rigging_type type, int loose,
-                            struct suspension *ret, struct why *why)
+                            struct suspension *ret, struct detail *ret_detail, struct why *why)
 {
     struct rigging r;
     struct rigging_fault fault;
@@ -81,7 +81,7 @@ static enum status complete(const double *x, int end, enum rigging_type type, in
         return s;
     to_rigging(x, type, loose, &r);
     s = rigging_complete(&r, ret, &fault);
-    return s == SW_OK ? s : refuse_fault(&fault, end, why);
+    return s == SW_OK ? detail_make(x, end, ret, ret_detail, why) : refuse_fault(&fault, end, why);
 }
 
 static enum status make_one(const struct lift_given *g, struct lift *ret, struct why *why)
@@ -96,7 +96,8 @@ static enum status make_one(const struct lift_given *g, struct lift *ret, struct
     ret->ends = 1;
     ret->share[0] = 1;
     ret->share[1] = 0;
-    return complete(x, 0, (enum rigging_type)g->type[0], g->loose, &ret->end[0], why);
+    return complete(x, 0, (enum rigging_type)g->type[0], g->loose, &ret->end[0], &ret->detail[0],
+                    why);
 }
 
 /* Shares of the mass by the lever arms, m1 : m2 = e2 : e1 (33), or by the masses. */
@@ -166,7 +167,8 @@ static enum status make_end(const struct lift_given *g, int end, double m_load, 
         x[LIFT_LONG] = x[LIFT_CROSS];
     if (isnan(x[LIFT_SLINGS]))
         x[LIFT_SLINGS] = type == RIGGING_SINGLE ? 1 : 2;
-    return complete(x, end, (enum rigging_type)type, g->loose, &ret->end[end - 1], why);
+    return complete(x, end, (enum rigging_type)type, g->loose, &ret->end[end - 1],
+                    &ret->detail[end - 1], why);
 }
 
 static enum status make_pair(const struct lift_given *g, struct lift *ret, struct why *why)
@@ -188,8 +190,11 @@ enum status lift_make(const struct lift_given *g, struct lift *ret, struct why *
     double offset = g->x[LIFT_OFFSET];
 
     ret->offset = fabs(offset);
-    if (!isnan(offset) && !(fabs(offset) < 1e4))
-        return refuse(why, LIFT_OFFSET, "must lie within 10 km");
+    ret->apart = g->x[LIFT_E1] + g->x[LIFT_E2];
+    if (g->tol[LIFT_OFFSET] > 0)
+        ret->offset = (isnan(offset) ? 0 : fabs(offset)) + g->tol[LIFT_OFFSET];
+    if (!isnan(offset) && !(fabs(offset) < 500))
+        return refuse(why, LIFT_OFFSET, "must lie within 500 m");
     if (g->type[0] == LIFT_UNKNOWN)
         return fail(why, SW_ADMISSIBLE, "type: is missing");
     return g->type[0] == LIFT_PAIR ? make_pair(g, ret, why) : make_one(g, ret, why);

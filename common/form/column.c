@@ -8,7 +8,8 @@
 
 #define DEGREE (PI / 180)
 
-/* Quantities of struct rigging: stem and unit of the column, SI units in one of it. */
+/* Quantities of struct rigging and struct detail: stem and unit of the column, SI units in one of
+ * it. */
 static const struct quantity {
     const char *stem, *unit;
     double factor;
@@ -29,6 +30,17 @@ static const struct quantity {
     {"wll_secondary", "_kN", 1000},
     {"slings", "", 1},
     {"stabilized", "", 1},
+    {"strain_secondary", "", 1},
+    {"hooks", "", 1},
+    {"hook_distance", "_m", 1},
+    {"spreader_width", "_m", 1},
+    {"edge_width", "_m", 1},
+    {"edge_height", "_m", 1},
+    {"low_edge_width", "_m", 1},
+    {"low_edge_height", "_m", 1},
+    {"load_long", "_m", 1},
+    {"load_cross", "_m", 1},
+    {"load_height", "_m", 1},
 };
 
 static const char *const alone[] = {"e1_m", "e2_m", "offset_m"};
@@ -57,7 +69,13 @@ int lift_is_input(int i)
     int q = i / LIFT_ENDS;
 
     return i != LIFT_OFFSET &&
-           (i >= LIFT_E1 || (q != LIFT_STABILIZED && q != LIFT_SLINGS && q != LIFT_WLL_SECONDARY));
+           (i >= LIFT_E1 || (q < LIFT_STABILIZED && q != LIFT_SLINGS && q != LIFT_WLL_SECONDARY));
+}
+
+int lift_may_vary(int i)
+{
+    return lift_is_input(i) || i == LIFT_OFFSET ||
+           (i < LIFT_E1 && i / LIFT_ENDS == LIFT_WLL_SECONDARY);
 }
 
 const char *lift_stem(int quantity)
@@ -108,14 +126,15 @@ int lift_column(const char *name, int *ret_tolerance)
 {
     size_t n = strlen(name);
     char stem[LIFT_NAME + 8];
+    int i;
 
     *ret_tolerance = n > 4 && n < sizeof stem && strcmp(name + n - 4, "_tol") == 0;
     if (!*ret_tolerance)
         return number_column(name);
     memcpy(stem, name, n - 4);
     stem[n - 4] = '\0';
-    n = (size_t)number_column(stem);
-    return (int)n / LIFT_ENDS == LIFT_STABILIZED && (int)n < LIFT_E1 ? -1 : (int)n;
+    i = number_column(stem);
+    return i >= 0 && lift_may_vary(i) ? i : -1;
 }
 
 /* Lower case letters and digits of name before its unit. */

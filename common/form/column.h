@@ -11,7 +11,7 @@
 #include "phys/rigging.h"
 #include "sys/err.h"
 
-/* Quantities of struct rigging, in the order of struct lift_given. */
+/* Quantities of struct rigging and struct detail, in the order of struct lift_given. */
 enum lift_quantity {
     LIFT_V,
     LIFT_S,
@@ -29,6 +29,17 @@ enum lift_quantity {
     LIFT_WLL_SECONDARY,
     LIFT_SLINGS,
     LIFT_STABILIZED,
+    LIFT_STRAIN_SECONDARY, /* from here on for exact statics only, struct detail */
+    LIFT_HOOKS,
+    LIFT_HOOK_DISTANCE,
+    LIFT_SPREADER_WIDTH,
+    LIFT_EDGE_WIDTH,
+    LIFT_EDGE_HEIGHT,
+    LIFT_LOW_EDGE_WIDTH,
+    LIFT_LOW_EDGE_HEIGHT,
+    LIFT_LOAD_LONG,
+    LIFT_LOAD_CROSS,
+    LIFT_LOAD_HEIGHT,
     LIFT_QUANTITIES
 };
 
@@ -44,7 +55,8 @@ enum lift_quantity {
 /* Which x of end 1 or 2, 0: of the whole. */
 #define LIFT_AT(quantity, end) ((quantity)*LIFT_ENDS + (end))
 
-/* Index in x of the column called name, with *ret_tolerance set if it is one's tolerance; -1. */
+/* Index in x of the column called name, with *ret_tolerance set if it is one's tolerance; -1, also
+ * for the tolerance of a number that may have none. */
 int lift_column(const char *name, int *ret_tolerance);
 
 /* Name of x[i]; at most LIFT_NAME bytes with the NUL.  SI units in one of the column's. */
@@ -52,8 +64,9 @@ int lift_column(const char *name, int *ret_tolerance);
 void lift_name(int i, char ret[LIFT_NAME]);
 double lift_unit(int i);
 
-/* Whether heights may depend on x[i]. */
+/* Whether heights may depend on x[i]; whether it may have a tolerance. */
 int lift_is_input(int i);
+int lift_may_vary(int i);
 
 /* Name of a quantity without end and unit. */
 const char *lift_stem(int quantity);

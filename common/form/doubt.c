@@ -13,6 +13,7 @@ struct row_box {
     const struct lift_given *g;
     const struct lift *l;
     int n, number[LIFT_NUMBERS], input[LIFT_NUMBERS];
+    int joint; /* of a pair: (36), 0: the height over the tilt of the load */
 };
 
 struct box {
@@ -75,7 +76,7 @@ static struct span end_mass(const struct row_box *r, const struct box *b, int en
 
 /* End 1 or 2 of a pair, or the whole, end 0. */
 static int end_height(const struct row_box *r, const struct box *b, int end, struct span share,
-                      struct span *ret_h, struct span *ret_r)
+                      struct span *ret_h, struct span *ret_load)
 {
     const struct suspension *a = &r->l->end[end > 1];
     struct rigging_box e = {.type = a->type,
@@ -97,25 +98,23 @@ static int end_height(const struct row_box *r, const struct box *b, int end, str
     e.use = quantity(r, b, LIFT_USE, end);
     e.wll = quantity(r, b, LIFT_WLL, end);
     e.one_hook = end > 0;
-    return rigging_box_height(&e, ret_h, ret_r);
+    return rigging_box_height(&e, ret_h, ret_load);
 }
 
-/* judge_height over the box; 0: the box leaves what can be hung. */
+/* Height over the box, of a pair one of the two that judge_height takes the lesser of; 0: the box
+ * leaves what can be hung. */
 static int height(const struct row_box *r, const struct box *b, struct span *ret)
 {
-    struct span share, h1, h2, r1, r2, weight;
+    struct span share, h1, h2, load1, load2;
 
     if (r->l->ends == 1)
-        return end_height(r, b, 0, span_none(), ret, &r1);
+        return end_height(r, b, 0, span_none(), ret, &load1);
     share = first_share(r, b);
-    if (!(share.lo > 0 && share.hi < 1) || !end_height(r, b, 1, share, &h1, &r1) ||
-        !end_height(r, b, 2, complement(share), &h2, &r2))
+    if (!(share.lo > 0 && share.hi < 1) || !end_height(r, b, 1, share, &h1, &load1) ||
+        !end_height(r, b, 2, complement(share), &h2, &load2))
         return 0;
-    *ret = span_add(span_mul(share, span_sub(h1, h2)), h2);
-    weight = span_div(share, complement(share)); /* of end 1 over that of end 2 */
-    weight = span_div(span_mul(weight, r2), r1);
-    weight = complement(span_div(span_of(r->n, 1), span_add(span_of(r->n, 1), weight)));
-    *ret = span_min(*ret, span_add(span_mul(weight, span_sub(h1, h2)), h2));
+    *ret = r->joint ? span_add(span_mul(share, span_sub(h1, h2)), h2)
+                    : span_add(span_mul(share, span_sub(load1, load2)), load2);
     return 1;
 }
 
@@ -125,6 +124,7 @@ static void begin(struct row_box *r, const struct lift_given *g, const struct li
     r->g = g;
     r->l = l;
     r->n = 0;
+    r->joint = 0;
     for (int i = 0; i < LIFT_NUMBERS; i++) {
         int is_input = !isnan(g->x[i]) && lift_is_input(i) && (all || g->tol[i] > 0);
 
@@ -184,32 +184,33 @@ static double at_middle(const struct row_box *r, const struct box *b, const stru
     return h.hi;
 }
 
-double doubt_worst(const struct lift_given *g, const struct lift *l)
+/* Branch and bound from the whole box of g on; *best: the least height that is known to be
+ * attained.
+ */
+static double lower_bound(const struct row_box *r, double *best)
 {
-    struct row_box r;
+    const struct lift_given *g = r->g;
     struct box stack[64];
     int n = 1, parts = 0;
-    double best = INFINITY, all = INFINITY;
+    double all = INFINITY;
 
-    begin(&r, g, l, 0);
-    for (int k = 0; k < r.n; k++) {
-        stack[0].lo[k] = g->x[r.number[k]] - g->tol[r.number[k]];
-        stack[0].hi[k] = g->x[r.number[k]] + g->tol[r.number[k]];
+    for (int k = 0; k < r->n; k++) {
+        stack[0].lo[k] = g->x[r->number[k]] - g->tol[r->number[k]];
+        stack[0].hi[k] = g->x[r->number[k]] + g->tol[r->number[k]];
     }
-    if (r.n == 0)
-        return NAN;
     while (n > 0) {
         struct box b = stack[--n];
         struct span h;
         double bound;
         int cut;
 
-        if (!height(&r, &b, &h) || isnan(h.lo))
+        if (!height(r, &b, &h) || isnan(h.lo))
             return -INFINITY;
         bound = h.lo;
-        cut = settle(&r, &h, &b);
-        best = fmin(best, at_middle(&r, &b, &h, &bound));
-        if (cut >= 0 && ++parts < PARTS && n < 62 && !(bound >= best - CLOSE * (1 + fabs(best)))) {
+        cut = settle(r, &h, &b);
+        *best = fmin(*best, at_middle(r, &b, &h, &bound));
+        if (cut >= 0 && ++parts < PARTS && n < 62 &&
+            !(bound >= *best - CLOSE * (1 + fabs(*best)))) {
             double middle = b.lo[cut] + (b.hi[cut] - b.lo[cut]) / 2;
 
             stack[n] = stack[n + 1] = b;
@@ -222,17 +223,34 @@ double doubt_worst(const struct lift_given *g, const struct lift *l)
     return all;
 }
 
+double doubt_worst(const struct lift_given *g, const struct lift *l)
+{
+    struct row_box r;
+    double worst, best = INFINITY;
+
+    begin(&r, g, l, 0);
+    if (r.n == 0)
+        return NAN;
+    worst = lower_bound(&r, &best);
+    r.joint = 1;
+    return l->ends == 1 ? worst : fmin(worst, lower_bound(&r, &best));
+}
+
 void doubt_slopes(const struct lift_given *g, const struct lift *l, double ret[LIFT_NUMBERS])
 {
     struct row_box r;
     struct box b;
-    struct span h;
+    struct span h, other;
 
     begin(&r, g, l, 1);
     for (int k = 0; k < r.n; k++)
         b.lo[k] = b.hi[k] = g->x[r.number[k]];
     for (int i = 0; i < LIFT_NUMBERS; i++)
         ret[i] = NAN;
+    if (l->ends == 2 && height(&r, &b, &h)) { /* of two, the one that judges */
+        r.joint = 1;
+        r.joint = height(&r, &b, &other) && other.lo < h.lo;
+    }
     if (height(&r, &b, &h))
         for (int k = 0; k < r.n; k++)
             ret[r.number[k]] = (h.dlo[k] + h.dhi[k]) / 2 * lift_unit(r.number[k]);
@@ -256,6 +274,59 @@ int doubt_greatest(const struct lift_given *g, const double slopes[LIFT_NUMBERS]
         }
     }
     return ret;
+}
+
+static double use_at(const struct lift_given *g)
+{
+    struct lift l;
+    struct why why;
+
+    return lift_make(g, &l, &why) == SW_OK ? judge_use(&l) : NAN;
+}
+
+double doubt_use(const struct lift_given *g, const struct lift *l)
+{
+    struct lift_given at = *g;
+    double use = judge_use(l);
+    int any = 0;
+
+    at.loose = 1;
+    for (int i = 0; i < LIFT_NUMBERS; i++)
+        any |= g->tol[i] > 0;
+    if (!any || isnan(use))
+        return NAN;
+    for (int i = 0; i < 2 * LIFT_NUMBERS;
+         i++) { /* twice: what the second one does may turn the first */
+        int k = i % LIFT_NUMBERS;
+
+        for (int side = -1; side <= 1 && g->tol[k] > 0 && !isnan(g->x[k]); side += 2) {
+            double before = at.x[k], now;
+
+            at.x[k] = g->x[k] + side * g->tol[k];
+            now = use_at(&at);
+            if (now > use)
+                use = now;
+            else
+                at.x[k] = before;
+        }
+    }
+    return use;
+}
+
+void doubt_corner(const struct lift_given *g, struct lift_given *ret)
+{
+    double slopes[LIFT_NUMBERS];
+    struct lift l;
+    struct why why;
+
+    *ret = *g;
+    ret->loose = 1;
+    if (lift_make(g, &l, &why) != SW_OK)
+        return;
+    doubt_slopes(g, &l, slopes);
+    for (int i = 0; i < LIFT_NUMBERS; i++)
+        if (g->tol[i] > 0 && !isnan(slopes[i]) && slopes[i] != 0)
+            ret->x[i] -= copysign(g->tol[i], slopes[i]);
 }
 
 /* splitmix64: well mixed bits of any number. */

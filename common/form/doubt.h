@@ -18,6 +18,13 @@
  */
 double doubt_worst(const struct lift_given *g, const struct lift *l);
 
+/* Greatest judge_use within the tolerances, looked for along one after the other, which is all
+ * where each acts in one direction.  NAN: no tolerances, or no limit is known. */
+double doubt_use(const struct lift_given *g, const struct lift *l);
+
+/* g at the corner of its tolerances where the height of the formulas falls to first order. */
+void doubt_corner(const struct lift_given *g, struct lift_given *ret);
+
 /* Derivatives of the height that judges by each number that is given, per unit of its column; NAN
  * for the others. */
 void doubt_slopes(const struct lift_given *g, const struct lift *l, double ret[LIFT_NUMBERS]);

@@ -1,25 +1,10 @@
-/* Verdicts on lifts. */
-#include "form/judge.h"
+/* Numbers of judgements on lifts. */
+#include "form/verdict.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 
-const char *verdict_name(enum verdict v)
-{
-    static const char *const names[] = {"stable", "marginal", "unstable", "not-judged"};
-
-    return names[v];
-}
-
-/* Heights of both ends of a pair, or of the whole. */
-struct found {
-    struct rigging_heights heights[2];
-    enum rigging_view view[2];
-    double h[2]; /* in that view */
-};
-
-static void find(const struct lift *l, struct found *f)
+static void find(const struct lift *l, struct judge_found *f)
 {
     for (int k = 0; k < l->ends; k++) {
         rigging_heights(&l->end[k], &f->heights[k]);
@@ -29,30 +14,57 @@ static void find(const struct lift *l, struct found *f)
     }
 }
 
-/* Offset over tilt of a stiff load that both ends share: sum of share h/r. */
-static double by_load(const struct lift *l, const struct found *f)
+/*
+ * Offset over tilt of a stiff load, which both ends share: the potential of end k over that tilt,
+ * its spreader and swing relaxed, is m_k g (h_k/r_k)/2 times its square, and potentials add.
+ */
+static double coupled(const struct lift *l, const struct judge_found *f)
 {
     return l->share[0] * f->h[0] / f->heights[0].r + l->share[1] * f->h[1] / f->heights[1].r;
 }
 
-/* The same as a mean of h, weights share/r, so that equal ends have the h of each. */
-static double coupled(const struct lift *l, const struct found *f)
-{
-    return by_load(l, f) / (l->share[0] / f->heights[0].r + l->share[1] / f->heights[1].r);
-}
-
 /* (36). */
-static double joint(const struct lift *l, const struct found *f)
+static double joint(const struct lift *l, const struct judge_found *f)
 {
     return l->share[0] * f->h[0] + l->share[1] * f->h[1];
 }
 
+/* h where no formula counts the stretch; what is not stable has no height above 0. */
+static double stretched(const struct lift *l, double h)
+{
+    struct lift straight = *l;
+    struct exact e;
+    struct why why;
+
+    straight.offset = NAN;
+    if (exact_make(&straight, 1, &e, &why) != SW_OK)
+        return NAN;
+    h = fmin(h, exact_least(&e));
+    return e.stable ? h : fmin(h, 0);
+}
+
 double judge_height(const struct lift *l)
 {
-    struct found f;
+    struct judge_found f;
+    double h;
 
     find(l, &f);
-    return l->ends == 1 ? f.h[0] : fmin(joint(l, &f), coupled(l, &f));
+    h = l->ends == 1 ? f.h[0] : fmin(joint(l, &f), coupled(l, &f));
+    return exact_stretches(l) ? stretched(l, h) : h;
+}
+
+static void clear(struct judgement *j)
+{
+    static const struct righting none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+
+    j->c = j->h = j->least = j->coupled = j->document_least = NAN;
+    j->z_critical = j->rise = j->v_critical = j->gamma_critical = NAN;
+    j->centre = j->virtual_centre = j->use_primary = j->use_secondary = NAN;
+    for (int i = 0; i < RIGGING_VIEWS; i++)
+        j->view[i] = j->document[i] = NAN;
+    j->at = none;
+    for (int k = 0; k < 2; k++)
+        j->end[k] = (struct judged_end){NAN, NAN, NAN, NAN, NAN, NAN, NAN, none};
 }
 
 /* Greatest force over limit. */
@@ -63,7 +75,9 @@ static double use_of(const struct righting *at, double wll, int secondary)
            wll;
 }
 
-static void judge_one(const struct lift *l, const struct found *f, struct judgement *ret)
+/* critical: with what would make h zero. */
+static void judge_one(const struct lift *l, const struct judge_found *f, int critical,
+                      struct judgement *ret)
 {
     const struct suspension *a = &l->end[0];
     const struct rigging_heights *heights = &f->heights[0];
@@ -76,10 +90,12 @@ static void judge_one(const struct lift *l, const struct found *f, struct judgem
         ret->document[i] = heights->document[i];
     }
     ret->document_least = rigging_least(heights->document, &ignored);
-    ret->z_critical = rigging_critical_z(a);
-    ret->rise = ret->z_critical - a->z;
-    ret->v_critical = rigging_critical_v(a);
-    ret->gamma_critical = rigging_critical_gamma(a);
+    if (critical) {
+        ret->z_critical = rigging_critical_z(a);
+        ret->rise = ret->z_critical - a->z;
+        ret->v_critical = rigging_critical_v(a);
+        ret->gamma_critical = rigging_critical_gamma(a);
+    }
     ret->centre = heights->centre[view] - a->z;
     ret->virtual_centre = ret->centre - ret->h;
     righting_at(a, view, ret->h, ret->h > 0 ? l->offset / ret->h : NAN, &ret->at);
@@ -87,7 +103,7 @@ static void judge_one(const struct lift *l, const struct found *f, struct judgem
     ret->use_secondary = use_of(&ret->at, a->wll_secondary, 1);
 }
 
-static void judge_end(const struct lift *l, const struct found *f, int k, double load_tilt,
+static void judge_end(const struct lift *l, const struct judge_found *f, int k, double load_tilt,
                       struct judged_end *ret)
 {
     const struct suspension *a = &l->end[k];
@@ -110,18 +126,17 @@ static double between(const struct lift *l, double x1, double x2)
     return l->share[0] * x1 + l->share[1] * x2;
 }
 
-static void judge_pair(const struct lift *l, const struct found *f, struct judgement *ret)
+static void judge_pair(const struct lift *l, const struct judge_found *f, struct judgement *ret)
 {
     struct judged_end *end = ret->end;
-    double h_load = by_load(l, f), tilt = h_load > 0 ? l->offset / h_load : NAN;
+    double h = coupled(l, f), tilt = h > 0 ? l->offset / h : NAN;
 
     ret->h = ret->view[RIGGING_CROSS] = joint(l, f);
     ret->document[RIGGING_CROSS] = ret->document_least =
         between(l, f->heights[0].document[f->view[0]], f->heights[1].document[f->view[1]]);
-    ret->coupled = coupled(l, f);
-    ret->least = fmin(ret->h, ret->coupled);
-    ret->rise =
-        h_load; /* raising G by dz takes m g dz from the stiffness against the load's tilt */
+    ret->coupled = h;
+    ret->least = fmin(ret->h, h);
+    ret->rise = h; /* raising G by dz takes m g dz from the stiffness against the load's tilt */
     ret->z_critical = l->end[0].z + ret->rise;
     for (int k = 0; k < 2; k++)
         judge_end(l, f, k, tilt, &end[k]);
@@ -137,76 +152,8 @@ static void judge_pair(const struct lift *l, const struct found *f, struct judge
     ret->use_secondary = fmax(end[0].use_secondary, end[1].use_secondary);
 }
 
-/* Verdict and the rule and number that decided. */
-__attribute__((format(printf, 3, 4))) static void say(struct judgement *j, enum verdict v,
-                                                      const char *format, ...)
-{
-    va_list args;
-
-    j->verdict = v;
-    va_start(args, format);
-    vsnprintf(j->why, sizeof j->why, format, args);
-    va_end(args);
-}
-
-/* The formula that gave the height that judges. */
-static const char *rule(const struct lift *l, const struct found *f, const struct judgement *j)
-{
-    const struct suspension *a = &l->end[0];
-
-    if (l->ends == 2)
-        return j->coupled < j->h ? "ends tilted alike by a stiff load" : "joint height (36)";
-    if (f->heights[0].ruled[f->view[0]])
-        return "h = -z: phi < 5 deg and z > v tan(phi) (1.3.1)";
-    switch (a->type) {
-    case RIGGING_SINGLE: return "h = -z of a single sling (1.2.8)";
-    case RIGGING_PRIMARY: return "h = v - z (2)";
-    case RIGGING_ELASTIC:
-        return f->view[0] == RIGGING_LONG ? "elastic slings lengthwise; (25) corrected"
-                                          : "elastic slings crosswise; (32) corrected";
-    case RIGGING_SECONDARY: break;
-    }
-    return "primary and secondary slings (15)";
-}
-
-static const char *where(const struct lift *l, const struct found *f)
-{
-    if (l->ends == 2)
-        return "joint h";
-    if (l->end[0].type == RIGGING_SINGLE)
-        return "h";
-    return f->view[0] == RIGGING_LONG ? "h_long" : "h_cross";
-}
-
-/* A spreader whose slings are so steep that a small tilt makes one slack: the documents have no
- * rule for it. */
-static const struct suspension *narrow_spreader(const struct lift *l)
-{
-    for (int k = 0; k < l->ends; k++) {
-        const struct suspension *a = &l->end[k];
-        double T = a->T[isnan(a->T[RIGGING_LONG])];
-
-        if (a->type == RIGGING_SECONDARY && !a->stabilized && T < RIGGING_TAN5 && a->z > a->v * T)
-            return a;
-    }
-    return NULL;
-}
-
-/* Primary slings that may be as steep. */
-static int without_angle(const struct lift *l)
-{
-    for (int k = 0; k < l->ends; k++) {
-        const struct suspension *a = &l->end[k];
-
-        if (a->type == RIGGING_PRIMARY && !a->stabilized && a->z > 0 &&
-            isinf(a->T[isnan(a->T[RIGGING_LONG])]))
-            return 1;
-    }
-    return 0;
-}
-
 /* Greatest use of a sling; an elastic sling's given use counts, too. */
-static double greatest_use(const struct lift *l, const struct judgement *j)
+double verdict_use(const struct lift *l, const struct judgement *j)
 {
     double use = fmax(j->use_primary, j->use_secondary);
 
@@ -215,78 +162,43 @@ static double greatest_use(const struct lift *l, const struct judgement *j)
     return use;
 }
 
-static void decide(const struct lift *l, const struct found *f, double limit, double worst,
-                   struct judgement *j)
+double judge_use(const struct lift *l)
 {
-    const char *h = where(l, f), *by = rule(l, f, j);
-    const struct suspension *narrow = narrow_spreader(l);
+    struct judgement j;
+    struct judge_found f;
 
-    if (isnan(j->least))
-        say(j, VERDICT_NONE, "no height could be computed");
-    else if (!(j->least > 0))
-        say(j, VERDICT_UNSTABLE, "%s = %.4g m is not above 0: %s", h, j->least, by);
-    else if (without_angle(l))
-        say(j, VERDICT_NONE,
-            "phi is missing and no base gives it: slings of less than 5 deg need another rule "
-            "(1.3.1);"
-            " %s = %.4g m",
-            h, j->least);
-    else if (narrow)
-        say(j, VERDICT_NONE,
-            "phi < 5 deg and z > v tan(phi) = %.4g m under a spreader: no rule is known; %s = %.4g "
-            "m",
-            narrow->v * narrow->T[isnan(narrow->T[RIGGING_LONG])], h, j->least);
-    else if (greatest_use(l, j) > 1)
-        say(j, VERDICT_NONE, "a sling bears %.4g of its working load limit; %s = %.4g m",
-            greatest_use(l, j), h, j->least);
-    else if (j->at.primary_high < 0 || j->at.secondary_high < 0)
-        say(j, VERDICT_NONE, "the offset of %.4g m makes a sling slack: tilt %.4g deg; %s = %.4g m",
-            l->offset, j->at.load * 57.29577951308232, h, j->least);
-    else if (j->least < limit)
-        say(j, VERDICT_MARGINAL, "%s = %.4g m is below the limit %.4g m: %s", h, j->least, limit,
-            by);
-    else if (isinf(worst))
-        say(j, VERDICT_MARGINAL, "%s = %.4g m but the tolerances reach what is no arrangement: %s",
-            h, j->least, by);
-    else if (!isnan(worst) && !(worst > 0 && worst >= limit))
-        say(j, VERDICT_MARGINAL, "%s = %.4g m but %.4g m within the tolerances; limit %.4g m: %s",
-            h, j->least, worst, limit, by);
-    else if (limit > 0)
-        say(j, VERDICT_STABLE, "%s = %.4g m is not below the limit %.4g m: %s", h, j->least, limit,
-            by);
+    clear(&j);
+    find(l, &f);
+    if (l->ends == 1)
+        judge_one(l, &f, 0, &j);
     else
-        say(j, VERDICT_STABLE, "%s = %.4g m is above 0: %s", h, j->least, by);
+        judge_pair(l, &f, &j);
+    return verdict_use(l, &j);
 }
 
-static void clear(struct judgement *j)
+void judge_by(const struct lift *l, const struct judge_by *by, struct judgement *ret)
 {
-    static const struct righting none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-
-    j->c = j->h = j->least = j->coupled = j->document_least = NAN;
-    j->z_critical = j->rise = j->v_critical = j->gamma_critical = NAN;
-    j->centre = j->virtual_centre = j->use_primary = j->use_secondary = NAN;
-    for (int i = 0; i < RIGGING_VIEWS; i++)
-        j->view[i] = j->document[i] = NAN;
-    j->at = none;
-    for (int k = 0; k < 2; k++)
-        j->end[k] = (struct judged_end){NAN, NAN, NAN, NAN, NAN, NAN, NAN, none};
-}
-
-void judge(const struct lift *l, double limit, double worst, struct judgement *ret)
-{
-    struct found f;
+    struct judge_found f;
 
     clear(ret);
     find(l, &f);
     if (l->ends == 1)
-        judge_one(l, &f, ret);
+        judge_one(l, &f, 1, ret);
     else
         judge_pair(l, &f, ret);
-    decide(l, &f, limit, worst, ret);
+    verdict_decide(l, &f, by, ret);
+    if (by->exact)
+        ret->least = fmin(ret->least, exact_least(by->exact));
+}
+
+void judge(const struct lift *l, double limit, double worst, struct judgement *ret)
+{
+    judge_by(l, &(struct judge_by){.limit = limit, .worst = worst, .use = NAN}, ret);
 }
 
 void judge_not(const char *reason, struct judgement *ret)
 {
     clear(ret);
-    say(ret, VERDICT_NONE, "%s", reason);
+    ret->verdict = VERDICT_NONE;
+    snprintf(ret->why, sizeof ret->why, "%s", reason);
 }

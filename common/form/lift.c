@@ -11,10 +11,11 @@
 static const char *const results[] = {"c", "h_m", "z_critical_m", "verdict", "why"};
 
 enum kind { COPIED, NUMBER, TOLERANCE, TYPE };
+enum { LABEL = 1 };
 
 struct lift_slot {
     enum kind kind;
-    int index;       /* of NUMBER and TOLERANCE in x, of TYPE the end */
+    int index;       /* of NUMBER and TOLERANCE in x, of TYPE the end; LABEL of the name */
     char *added;     /* name of a column that --set adds; owned */
     const char *set; /* value of --set, or NULL; points into argv */
 };
@@ -32,6 +33,8 @@ static struct lift_slot slot_of(const char *name)
     } else if (i >= 0) {
         s.kind = tolerance ? TOLERANCE : NUMBER;
         s.index = i;
+    } else if (strcmp(name, "name") == 0) {
+        s.index = LABEL;
     }
     return s;
 }
@@ -129,12 +132,10 @@ static enum status take_set(struct lift_table *t, const char *text, struct why *
     snprintf(name, sizeof name, "%.*s", equals ? (int)(equals - text) : 0, text);
     if (equals && (size_t)(equals - text) < sizeof name)
         s = slot_of(name);
-    if (!equals || (s.kind == COPIED && strcmp(name, "name") != 0))
+    if (!equals || (s.kind == COPIED && s.index != LABEL))
         return fail(why, SW_USAGE, "--set %.60s: expected COLUMN=VALUE%s%s", text,
                     equals && lift_nearly(name, close) ? "; is this column meant: " : "",
                     equals && lift_nearly(name, close) ? close : "");
-    if (s.kind == COPIED)
-        i = t->n;
     while (i < t->n && !(t->slot[i].kind == s.kind && t->slot[i].index == s.index))
         i++;
     if (i == t->n) {
@@ -265,6 +266,14 @@ enum status lift_row(struct lift_table *t, struct lift_given *ret, int *ret_end,
         return SW_OK;
     s = read_cells(t, ret, why);
     return s == SW_OK ? s : lift_fail(t, why);
+}
+
+const char *lift_label(const struct lift_table *t)
+{
+    for (int i = 0; i < t->n; i++)
+        if (t->slot[i].kind == COPIED && t->slot[i].index == LABEL)
+            return cell(t, i);
+    return "";
 }
 
 int lift_has(const struct lift_table *t, int i, int tolerance)

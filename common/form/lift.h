@@ -5,6 +5,7 @@
 #define SEILWERK_FORM_LIFT_H
 
 #include "form/column.h"
+#include "form/detail.h"
 #include "sys/csv.h"
 #include "sys/opt.h"
 #include "sys/out.h"
@@ -21,8 +22,10 @@ struct lift_given {
 struct lift {
     int ends; /* 1, or 2 in a pair */
     struct suspension end[2];
-    double share[2]; /* of the mass, sum 1 */
-    double offset;   /* m, NAN: not given */
+    struct detail detail[2]; /* of each end, for exact statics */
+    double share[2];         /* of the mass, sum 1 */
+    double apart;            /* m, distance of the ends of a pair; NAN: not known */
+    double offset;           /* m, with its tolerance; NAN: not given */
 };
 
 /* The arrangement of a row (arrange.c).  The type of an end that is not given is primary-secondary
@@ -56,6 +59,9 @@ enum status lift_fail(const struct lift_table *t, struct why *why);
 
 /* What is wrong without that place; points into why. */
 const char *lift_reason(const struct lift_table *t, const struct why *why);
+
+/* The cell of the column called name in the present row, or "". */
+const char *lift_label(const struct lift_table *t);
 
 /* Whether x[i] is a column of the table, or has a tolerance in it. */
 int lift_has(const struct lift_table *t, int i, int tolerance);

@@ -131,17 +131,29 @@ static int elastic_height(const struct rigging_box *b, struct span v, struct spa
     return 1;
 }
 
+/* (h + z r)/r without cancellation, k = mu/tan(phi), half = d + s t:
+ * half (k half + t^2 (k d + s))/(d + t^2 (half + k s)). */
+static struct span over_load(const struct span *d, const struct span *half, const struct span *t,
+                             const struct span *s, struct span k)
+{
+    struct span t2 = span_square(*t), above, below;
+
+    above = span_add(span_mul(k, *half), span_mul(t2, span_add(span_mul(k, *d), *s)));
+    below = span_add(*d, span_mul(t2, span_add(*half, span_mul(k, *s))));
+    return span_mul(above, span_div(*half, below));
+}
+
 /* (15); 0: the base may vanish. */
 static int secondary_height(const struct rigging_box *b, struct span v, struct span *ret_h,
-                            struct span *ret_r)
+                            struct span *ret_load)
 {
     const struct span *base = is_given(&b->base[0]) ? &b->base[0] : &b->base[1];
-    struct span one = number(b, 1), mu = one, T, d, t, half, t2, c, lean;
+    struct span one = number(b, 1), mu = one, T, d, t, half, t2, c, r, lean;
 
     if (b->m_spreader.hi > 0)
         mu = span_add(one, span_div(b->m_spreader, b->m_load));
     if (!is_given(&b->phi)) { /* gamma = 0: (6) */
-        *ret_h = span_sub(span_mul(v, mu), b->z);
+        *ret_h = *ret_load = span_sub(span_mul(v, mu), b->z);
         return b->gamma.lo == 0 && b->gamma.hi == 0;
     }
     T = span_tan(b->phi);
@@ -158,29 +170,33 @@ static int secondary_height(const struct rigging_box *b, struct span v, struct s
     t2 = span_add(one, span_square(t));
     lean = span_div(span_mul(mu, t), T);
     c = span_div(span_sub(one, lean), t2);
-    *ret_r = span_sub(one, span_mul(c, span_sub(one, span_div(d, half))));
+    r = span_sub(one, span_mul(c, span_sub(one, span_div(d, half))));
     *ret_h = span_mul(b->s, span_div(span_add(span_square(t), lean), t2));
-    *ret_h = span_sub(span_add(*ret_h, span_mul(v, mu)), span_mul(b->z, *ret_r));
+    *ret_h = span_add(*ret_h, span_mul(v, mu));
+    *ret_load = span_sub(over_load(&d, &half, &t, &b->s, span_div(mu, T)), b->z);
+    *ret_h = span_sub(*ret_h, span_mul(b->z, r));
     return 1;
 }
 
-int rigging_box_height(const struct rigging_box *b, struct span *ret_h, struct span *ret_r)
+int rigging_box_height(const struct rigging_box *b, struct span *ret_h, struct span *ret_load)
 {
     struct span v;
+    int made = 1;
 
-    *ret_r = number(b, 1);
     if (!in_range(b))
         return 0;
     if (b->type == RIGGING_SINGLE) {
-        *ret_h = scaled(-1, b->z);
+        *ret_h = *ret_load = scaled(-1, b->z);
         return 1;
     }
     if (!find_v(b, &v))
         return 0;
     if (b->type == RIGGING_SECONDARY)
-        return secondary_height(b, v, ret_h, ret_r);
+        return secondary_height(b, v, ret_h, ret_load);
     if (b->type == RIGGING_ELASTIC)
-        return elastic_height(b, v, ret_h);
-    *ret_h = primary_height(b, v);
-    return 1;
+        made = elastic_height(b, v, ret_h);
+    else
+        *ret_h = primary_height(b, v);
+    *ret_load = *ret_h;
+    return made;
 }

@@ -1,6 +1,6 @@
 /*
- * Heights of a suspension whose quantities are known to lie in intervals: enclosures of h, of the
- * tilt ratio and of their derivatives by the inputs.  The formulas are those of phys/rigging.h.
+ * Heights of a suspension whose quantities are known to lie in intervals: enclosures of h, of
+ * h/r and of their derivatives by the inputs.  The formulas are those of phys/rigging.h.
  */
 #ifndef SEILWERK_PHYS_BOX_H
 #define SEILWERK_PHYS_BOX_H
@@ -19,8 +19,9 @@ struct rigging_box {
     struct span strain_wll, use, wll;
 };
 
-/* Height in the worst view, and tilt ratio.  Returns 0 if the box is not surely within the ranges
- * of rigging_complete (what is given twice is not compared; the same of both is used as there). */
-int rigging_box_height(const struct rigging_box *b, struct span *ret_h, struct span *ret_r);
+/* Height in the worst view, and the same over the tilt of the load, h/r.  Returns 0 if the box is
+ * not surely within the ranges of rigging_complete (what is given twice is not compared; the same
+ * of both is used as there). */
+int rigging_box_height(const struct rigging_box *b, struct span *ret_h, struct span *ret_load);
 
 #endif

@@ -10,6 +10,7 @@
 static const double longest = PI / 90; /* step along the path */
 static const double narrowest = 1e-7;  /* range of tilt that counts as one */
 static const double shortest = 1e-10;  /* step at which it is told to end */
+enum { TRIES = 1000 };                 /* of one walk: a way that creeps on longer ends */
 static const double jump = 0.3;        /* turn of another body that is no continuation */
 
 struct walk {
@@ -43,7 +44,7 @@ static int walk_to(struct walk *w, double tilt)
 {
     double most = longest;
 
-    while (w->tilt != tilt) {
+    for (int tries = 0; w->tilt != tilt; tries++) {
         double left = tilt - w->tilt, angle = copysign(fmin(most, fabs(left)), left);
         struct hang next;
 
@@ -51,7 +52,7 @@ static int walk_to(struct walk *w, double tilt)
             w->h = next;
             w->tilt = fabs(left) <= most ? tilt : w->tilt + angle;
             most = fmin(longest, 2 * most);
-        } else if ((most = fabs(angle) / 4) < shortest) {
+        } else if ((most = fabs(angle) / 4) < shortest || tries > TRIES) {
             return 0;
         }
     }

@@ -8,6 +8,7 @@
 
 static const double first = 1.0 / 16; /* share of the shift */
 static const double shortest = 1e-12;
+enum { TRIES = 400 };           /* a way that creeps on longer than this is none */
 static const double jump = 0.1; /* change of a direction in one step that is no continuation */
 
 static int jumped(const struct gear *s, const struct hang *a, const struct hang *b)
@@ -39,7 +40,7 @@ enum status offset_shift(struct gear *s, int body, const double shift[3], struct
     if (gear_check(s) != SW_OK || body < 0 || body >= s->bodies || !(dot(shift, shift) <= DBL_MAX))
         return SW_ADMISSIBLE;
     memcpy(from, s->body[body].cg, sizeof from);
-    while (*ret_share < 1) {
+    for (int tries = 0; *ret_share < 1; tries++) {
         double share = fmin(1, *ret_share + step), cg[3];
         struct gear next = *s;
         struct hang start = *h, there;
@@ -53,7 +54,7 @@ enum status offset_shift(struct gear *s, int body, const double shift[3], struct
             *h = there;
             *ret_share = share;
             step *= 2;
-        } else if ((step /= 4) < shortest) {
+        } else if ((step /= 4) < shortest || tries > TRIES) {
             return SW_INFEASIBLE;
         }
     }

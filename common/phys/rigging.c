@@ -235,21 +235,22 @@ static enum status judge_ranges(const struct rigging *r, struct rigging_fault *f
         const char *text, *unit;
         double size; /* of the unit */
     } range[] = {
-        {"v", r->v, 0, 0, 1e4, "must lie above 0 and below 10 km", "m", 1},
-        {"s", r->s, 0, 0, 1e4, "must lie above 0 and below 10 km", "m", 1},
-        {"z", r->z, -1e4, 0, 1e4, "must lie within 10 km", "m", 1},
+        {"v", r->v, 0, 0, 500, "must lie above 0 and below 500 m", "m", 1},
+        {"s", r->s, 0, 0, 500, "must lie above 0 and below 500 m", "m", 1},
+        {"z", r->z, -500, 0, 500, "must lie within 500 m", "m", 1},
         {"phi", r->phi, 0, 0, quarter, "must lie above 0 and below 90 degrees", "deg", PI / 180},
         {"gamma", r->gamma, -quarter, 0, quarter, "must lie within 90 degrees", "deg", PI / 180},
         {"m_spreader", r->m_spreader, 0, 1, 1e9, "must not be negative", "t", 1000},
-        {"m_load", r->m_load, 0, 0, 1e9, "must be positive", "t", 1000},
-        {"sling", r->sling, 0, 0, 1e4, "must lie above 0 and below 10 km", "m", 1},
-        {"base_long", r->base[RIGGING_LONG], 0, 0, 1e4, "must lie above 0 and below 10 km", "m", 1},
-        {"base_cross", r->base[RIGGING_CROSS], 0, 0, 1e4, "must lie above 0 and below 10 km", "m",
+        {"m_load", r->m_load, 0, 0, 1e8, "must lie above 0 and below 100000 t", "t", 1000},
+        {"sling", r->sling, 0, 0, 500, "must lie above 0 and below 500 m", "m", 1},
+        {"base_long", r->base[RIGGING_LONG], 0, 0, 500, "must lie above 0 and below 500 m", "m", 1},
+        {"base_cross", r->base[RIGGING_CROSS], 0, 0, 500, "must lie above 0 and below 500 m", "m",
          1},
         {"strain_wll", r->strain_wll, 0, 1, 1, "must lie from 0 to below 1", "", 1},
         {"use", r->use, 0, 1, 1e3, "must not be negative", "", 1},
-        {"wll", r->wll, 0, 0, 1e12, "must be positive", "kN", 1000},
-        {"wll_secondary", r->wll_secondary, 0, 0, 1e12, "must be positive", "kN", 1000},
+        {"wll", r->wll, 0, 0, 1e8, "must lie above 0 and below 100 MN", "kN", 1000},
+        {"wll_secondary", r->wll_secondary, 0, 0, 1e8, "must lie above 0 and below 100 MN", "kN",
+         1000},
         {"slings", r->slings, 0, 0, 1e3, "must be positive", "", 1},
     };
 
@@ -259,6 +260,13 @@ static enum status judge_ranges(const struct rigging *r, struct rigging_fault *f
                           range[i].unit);
     if (isnan(r->z))
         return refuse(fault, "z", "is missing", NAN, "");
+    if (!isnan(r->slings) &&
+        (r->slings != floor(r->slings) || (r->type != RIGGING_SINGLE && r->slings < 2)))
+        return refuse(fault, "slings", "expected a whole number, from 2 on unless single",
+                      r->slings, "");
+    if (!r->loose && r->m_spreader > 10 * r->m_load)
+        return refuse(fault, "m_spreader", "is over ten times the load; are both in tonnes?",
+                      r->m_spreader / 1000, "t");
     return SW_OK;
 }
 

@@ -216,6 +216,28 @@ lift 'a negative tolerance' z_m_tol=-0.1
 lift 'an unknown column' colour=red
 lift 'nearly a column' gama_deg=3
 lift 'no value' v_m
+lift 'three hooks' hooks=3
+lift 'hooks of unknown distance' hooks=2
+lift 'a distance of one hook' hook_distance_m=3
+lift 'half an edge' edge_width_m=3
+lift 'a negative edge' edge_width_m=-3 edge_height_m=1
+lift 'edges that cross' edge_width_m=3 edge_height_m=1 low_edge_width_m=3 low_edge_height_m=2
+lift 'a load without width' load_cross_m=0
+lift 'strain of secondary slings of 1' strain_secondary=1.5
+lift 'half a sling' slings=2.5
+lift 'one sling' slings=1
+lift 'millimetres' v_m=3600
+lift 'kilograms' m_spreader_t=2000
+lift 'newtons' wll_kN=300000
+lift 'a tolerance of a number' slings_tol=1
+refuses 2 'lift: two hooks of primary slings' sling --set type=primary --set z_m=1 --set v_m=3 \
+    --set hooks=2 --set hook_distance_m=3
+refuses 2 'lift: one hook of elastic slings' sling --set type=primary-elastic --set z_m=1 \
+    --set v_m=3 --set base_long_m=6 --set base_cross_m=6 --set strain_wll=0.02 --set hooks=1
+refuses 2 'lift: edges of a single sling' sling --set type=single --set z_m=1 \
+    --set edge_width_m=3 --set edge_height_m=1
+refuses 2 'lift: secondary slings of primary ones' sling --set type=primary --set z_m=1 \
+    --set v_m=3 --set phi_deg=30 --set strain_secondary=0.01
 refuses 2 'lift: a sling too short' sling --set type=primary --set z_m=1 --set sling_m=3 \
     --set base_long_m=6
 refuses 2 'lift: a negative base of a primary sling' sling --set type=primary --set z_m=1 \
@@ -253,6 +275,10 @@ refuses 2 'lift: contour of one' sling --contour v_m lift.csv
 refuses 2 'lift: contour of the same' sling --contour v_m,v_m lift.csv
 refuses 2 'lift: contour of no range' sling --contour v_m=1:2,z_m lift.csv
 refuses 2 'lift: contour of a word' sling --contour v_m,type lift.csv
+refuses 2 'lift: lever and exact' sling --lever --exact lift.csv
+printf 'type,s_m,z_m,gamma_deg,v_m,m_spreader_t\nprimary-secondary,3,1,0,3,0\n' >flat.csv
+refuses 1 'lift: exact without phi' sling --exact flat.csv
+refuses 1 'lift: lever without phi' sling --lever flat.csv
 refuses 2 'lift: contour and design' sling --contour v_m,z_m --design v_m=1 lifts.csv
 
 # Outputs.

@@ -2,6 +2,7 @@
 # sling as a planner of lifts meets it: columns, one arrangement alone, verdicts, tolerances, design,
 # contours, refusals.
 . "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../columns.sh"
 cd "$scratch" || exit 1
 cases=$top/scripts/experiments/lifts/cases.csv
 cat >lifts.csv <<END
@@ -10,23 +11,6 @@ A,primary-secondary,3.6,7.5,1.1,0.2,26,-4,2,60,300,0.1
 "B, the same",primary-secondary,3.6,7.5,1.1,0.2,26,-6,2,60,300,0.1
 C,primary,6,,2,0.2,30,,,60,300,0.1
 END
-
-# holds AWK-CONDITION FILE NAME: the condition over the columns of a table by name, c["h_m", 1] in
-# its first row.  Quoted cells lose their commas.
-holds()
-{
-    awk -F, '{ while (match($0, /"[^"]*"/)) {
-            cell = substr($0, RSTART + 1, RLENGTH - 2); gsub(/,/, ";", cell)
-            $0 = substr($0, 1, RSTART - 1) cell substr($0, RSTART + RLENGTH) } }
-        NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; columns = NF; next }
-        { if (NF != columns) bad = 1; for (i = 1; i <= NF; i++) c[name[i], NR - 1] = $i; n = NR - 1 }
-        function abs(x) { return x < 0 ? -x : x }
-        function near(x, y, r) { return x != "" && abs(x - y) <= r * abs(y) }
-        END { exit bad || !('"$1"') }' "$2"
-    found=$?
-    [ $found -eq 0 ] || sed 's/^/# /' "$2" | head -n 4
-    ok $found "$3"
-}
 
 # One arrangement of the command line alone: nothing is read, not even a standard input that blocks.
 alone='--set type=primary-secondary --set v_m=3.6 --set s_m=7.5 --set z_m=1.1 --set phi_deg=26
@@ -166,7 +150,7 @@ holds 'n == 41 * 41 && near(c["z_m", 1], 0.55, 1e-12) && c["gamma_deg", 1] == -1
     c["verdict", 1] == "not-judged" && c["h_m", 1] == "" && c["why", 1] ~ /leaves no base/' out \
     'half to one and a half of the present value; what is no arrangement is not judged'
 holds 'c["why", 2] !~ /tolerances/' out 'contour: without tolerances'
-runs 0 'contour with tolerances' sling --contour z_m=1.6:1.8:2,v_m=3.6:3.7:2 first.csv
+runs 0 'contour with tolerances' sling --set offset_m= --contour z_m=1.6:1.8:2,v_m=3.6:3.7:2 first.csv
 holds 'c["verdict", 1] == "marginal" && c["why", 1] ~ /within the tolerances/' out \
     'contour: tolerances count'
 runs 2 'contour of two rows' sling --contour z_m,v_m lifts.csv

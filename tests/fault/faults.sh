@@ -39,6 +39,8 @@ run()
     print) catenary --print-case -o result/out.csv stay.ini ;;
     sling) sling -o result/out.csv --set name=x lifts.csv ;;
     lift) sling -o result/out.csv --samples 10 --derivatives --design v_m=3 lift.csv ;;
+    exact) sling -o result/out.csv --exact lift.csv ;;
+    lever) sling -o result/out.csv --lever lift.csv ;;
     contour) sling -o result/out.csv --contour z_m=0:1:3,v_m=3:5:3 lift.csv ;;
     gapnet) gapnet -o result/out.csv --rope chain --stiffness B1 net/system.ini ;;
     gapnodes) gapnet -o result/out.csv --verify --set solve.elements=2 --rope chain net/system.ini ;;
@@ -101,8 +103,8 @@ output()
 }
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
-    for tool in catenary modal diffverf print table stiffness sling lift contour gapnet gapnodes \
-        gapcheck; do
+    for tool in catenary modal diffverf print table stiffness sling lift exact lever contour gapnet \
+        gapnodes gapcheck; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done

@@ -1,6 +1,6 @@
 /* Any bytes as a table of lifts: each row is refused with words, or has a verdict with its reason
  * that no NaN has part in; a stable one is stable by its numbers. */
-#include "form/doubt.h"
+#include "form/appraise.h"
 #include "fuzz.h"
 
 #include <math.h>
@@ -9,19 +9,23 @@
 /* A row that makes an arrangement. */
 static void judged(const struct lift_given *g, const struct lift *l)
 {
+    struct appraisal p;
     struct judgement j;
     struct lift_given all = *g;
     double worst = doubt_worst(g, l), height = judge_height(l), slopes[LIFT_NUMBERS];
     struct lift again;
     struct why why;
 
-    check(!isnan(height));
-    check(isnan(worst) || worst <= height);
-    judge(l, 0.5, worst, &j);
-    check(j.why[0] != '\0' && j.why[sizeof j.why - 1] == '\0');
-    check(j.least == height && j.least <= j.h);
-    check((j.verdict == VERDICT_UNSTABLE) == !(height > 0));
+    check(!isnan(height) || exact_stretches(l));
+    check(isnan(worst) || worst <= height || exact_stretches(l));
+    appraise(g, l, 0.5, 0, &p);
+    j = p.j;
+    check(j.why[0] != '\0' && memchr(j.why, 0, sizeof j.why));
+    check(j.least <= j.h && (p.has_exact || j.least == height));
+    check(height > JUDGE_ROUND || isnan(height) || j.verdict == VERDICT_UNSTABLE);
+    check(p.has_exact || j.verdict != VERDICT_UNSTABLE || !(height > JUDGE_ROUND));
     check(j.verdict != VERDICT_STABLE || (height >= 0.5 && !(worst < 0.5)));
+    check(j.verdict != VERDICT_STABLE || !exact_needed(l) || p.has_exact);
     check(j.verdict != VERDICT_STABLE || !(j.use_primary > 1 || j.use_secondary > 1));
     doubt_slopes(g, l, slopes);
     check(doubt_greatest(g, slopes) < LIFT_NUMBERS);

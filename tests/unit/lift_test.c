@@ -282,7 +282,8 @@ static void pairs(void **state)
         near_abs(j.h, 1.1, 0.05);
         near_abs(j.end[0].h, -0.8, 1e-15);
         near_abs(j.end[1].h, 3.05, 0.5e-2);
-        near_abs(j.coupled, 0.82784, 1e-5);
+        near_abs(j.coupled, 0.71654, 1e-5);
+        near_rel(j.rise, j.coupled, 1e-15);
         near_abs(j.centre - j.virtual_centre, j.h, 1e-14);
         assert_int_equal(j.verdict, VERDICT_STABLE);
     }
@@ -337,7 +338,7 @@ static void symmetry(void **state)
     row(&f);
     judge(&lift, 0, NAN, &two);
     near_rel(two.h, one.h, 1e-14);
-    near_rel(two.coupled, one.h, 1e-14);
+    near_rel(two.coupled, one.rise, 1e-13); /* over the tilt of the load */
     near_rel(two.rise, one.rise, 1e-13);
     near_rel(two.at.primary_low, one.at.primary_low, 1e-13);
     near_rel(two.at.secondary_high, one.at.secondary_high, 1e-13);
