@@ -224,6 +224,82 @@ static void stiffness_by_differences(void **state)
     net_state_free(&s);
 }
 
+/* Force and moment that hold a body of nodes 3, 4, 5, moved by y from where s has them: along and
+ * about the axes of a point that goes with it. */
+static void hold_body(struct net *net, const struct net_state *s, const double about[3],
+                      const double y[6], double ret[6])
+{
+    struct net_node *node = net->node;
+    struct net_state t;
+    double angle = sqrt(y[3] * y[3] + y[4] * y[4] + y[5] * y[5]), lever[3][3];
+
+    for (int i = 0; i < 3; i++) {
+        const double *x = s->x + 3 * (3 + i),
+                     r[3] = {x[0] - about[0], x[1] - about[1], x[2] - about[2]};
+        double dot = 0;
+
+        memcpy(lever[i], r, sizeof lever[i]);
+        for (int c = 0; c < 3 && angle > 0; c++)
+            dot += r[c] * y[3 + c] / angle;
+        for (int c = 0; c < 3 && angle > 0; c++) { /* Rodrigues */
+            double n = y[3 + c] / angle;
+            double cross =
+                (y[3 + (c + 1) % 3] * r[(c + 2) % 3] - y[3 + (c + 2) % 3] * r[(c + 1) % 3]) / angle;
+
+            lever[i][c] = r[c] * cos(angle) + cross * sin(angle) + n * dot * (1 - cos(angle));
+        }
+        node[3 + i] = at(about[0] + y[0] + lever[i][0], about[1] + y[1] + lever[i][1],
+                         about[2] + y[2] + lever[i][2]);
+        node[3 + i].force[2] = 1.09 * 50 * 540 / 3;
+    }
+    t = solve(net, &exact);
+    memset(ret, 0, 6 * sizeof *ret);
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 3; c++) {
+            const double *p = t.residual + 3 * (3 + i), *r = lever[i];
+
+            ret[c] -= p[c];
+            ret[3 + c] -= r[(c + 1) % 3] * p[(c + 2) % 3] - r[(c + 2) % 3] * p[(c + 1) % 3];
+        }
+    net_state_free(&t);
+}
+
+/* Stiffness of a rigid body about a point off its middle, under the forces that hold it away from
+ * rest. */
+static void body_by_differences(void **state)
+{
+    const int chosen[3] = {3, 4, 5};
+    const double about[3] = {4, -7, 80};
+    struct net_node node[6];
+    struct net_rope part[6];
+    struct net net = triangle(node, part, 6);
+    struct net_state s;
+    double K[36], most[2][2] = {{0}};
+    (void)state;
+
+    for (int i = 3; i < 6; i++) { /* held off its place: forces and moments act */
+        node[i] = at(30 * cos(2 * PI * i / 3) + 5, 30 * sin(2 * PI * i / 3), 90);
+        node[i].force[2] = 1.09 * 50 * 540 / 3;
+    }
+    s = solve(&net, &exact);
+    assert_int_equal(net_body_stiffness(&net, &s, chosen, 3, about, K), SW_OK);
+    for (int i = 0; i < 36; i++)
+        most[i % 6 / 3][i / 18] = fmax(most[i % 6 / 3][i / 18], fabs(K[i]));
+    for (int j = 0; j < 6; j++) {
+        double f[2][6], h = j < 3 ? 1e-3 : 1e-5;
+
+        for (int side = 0; side < 2; side++) {
+            double y[6] = {0};
+
+            y[j] = side ? h : -h;
+            hold_body(&net, &s, about, y, f[side]);
+        }
+        for (int i = 0; i < 6; i++)
+            near_abs((f[1][i] - f[0][i]) / (2 * h), K[i + 6 * j], 1e-5 * most[i / 3][j / 3]);
+    }
+    net_state_free(&s);
+}
+
 /* Mirrored, turned and renumbered input gives mirrored, turned and renumbered output. */
 static void symmetries(void **state)
 {
@@ -485,6 +561,7 @@ static void refusals(void **state)
 
 TEST_MAIN(cmocka_unit_test(triangle_mooring), cmocka_unit_test(point_load_cable),
           cmocka_unit_test(methods_agree), cmocka_unit_test(other_starts),
-          cmocka_unit_test(stiffness_by_differences), cmocka_unit_test(symmetries),
-          cmocka_unit_test(bars_push), cmocka_unit_test(floats), cmocka_unit_test(springs),
-          cmocka_unit_test(awkward), cmocka_unit_test(random_systems), cmocka_unit_test(refusals))
+          cmocka_unit_test(stiffness_by_differences), cmocka_unit_test(body_by_differences),
+          cmocka_unit_test(symmetries), cmocka_unit_test(bars_push), cmocka_unit_test(floats),
+          cmocka_unit_test(springs), cmocka_unit_test(awkward), cmocka_unit_test(random_systems),
+          cmocka_unit_test(refusals))
