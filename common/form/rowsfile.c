@@ -23,7 +23,7 @@ static enum status read_state(struct rows_file *f, long *bytes, struct why *why)
         return s;
     s = npy_read(&in, &a, why);
     in_close_replaceable(&in);
-    if (s == SW_OK && (a.columns != 1 || a.rows != N_STATE || a.data[VERSION] != f->kind))
+    if (s == SW_OK && (a.columns != 1 || a.rows != N_STATE || a.data[VERSION] != (double)f->kind))
         s = fail(why, SW_FORMAT, "%s: is no state of such a run", f->state);
     if (s == SW_OK)
         s = state_checksum(f->c, f->columns, &high, &low, why);
