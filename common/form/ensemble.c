@@ -43,7 +43,7 @@ static int stopped(struct work *w)
 
 static void stop(struct work *w, enum status s)
 {
-#pragma omp critical(ensemble_deliver)
+#pragma omp critical(ensemble_files)
     {
         w->status = s;
 #pragma omp atomic write
@@ -76,7 +76,7 @@ static void finish(struct work *w, int i, const struct outcome *o)
         stop(w, SW_NOMEM);
         return;
     }
-#pragma omp critical(ensemble_deliver)
+#pragma omp critical(ensemble_files)
     {
         w->outcome[i] = copy;
         while (!more && w->delivered < w->e->points->n && w->outcome[w->delivered]) {
@@ -109,7 +109,7 @@ static enum status prepare(const struct ensemble *e, int i, struct flight *f)
 
     memset(f, 0, sizeof *f);
     f->point = i;
-#pragma omp critical(ensemble_prepare)
+#pragma omp critical(ensemble_files)
     {
         s = points_case(e->points, i, &f->c, &o->why);
         if (s == SW_OK)

@@ -249,6 +249,8 @@ static double error(const struct march *m, double dt)
     for (size_t i = 0; i < model_unknowns(m->model); i += 2)
         if (!(fabs(p->A1[i] - p->A[i]) <= most))
             most = fabs(p->A1[i] - p->A[i]);
+    if (most == 0) /* at rest, where the scale may be zero, too */
+        return 0;
     return fabs(p->b - 1.0 / 6) * dt * dt * most / (m->options.tolerance * p->scale);
 }
 

@@ -2,8 +2,10 @@
  * Implicit time integration by the generalized-alpha method (Chung and Hulbert), with full Newton
  * steps on the band tangent: the other scheme of a march (phys/march.h).
  *
- *     M A(n+1-am) + C W(n+1-af) + F_int(V(n+1-af)) = R(t(n+1-af)),   X(n+1-a) = (1-a) X(n+1) + a
- * X(n) V(n+1) = V + dt W + dt^2 [(1/2 - b) A + b A(n+1)],  W(n+1) = W + dt [(1 - g) A + g A(n+1)]
+ *     M A(n+1-am) + C W(n+1-af) + F_int(V(n+1-af)) = R(t(n+1-af))
+ *     X(n+1-a) = (1 - a) X(n+1) + a X(n)
+ *     V(n+1) = V + dt W + dt^2 [(1/2 - b) A + b A(n+1)]
+ *     W(n+1) = W + dt [(1 - g) A + g A(n+1)]
  *     am = (2 r - 1)/(r + 1), af = r/(r + 1), g = 1/2 - am + af, b = (1 - am + af)^2/4
  *
  * Second order, stable for any step, and r = 0..1 is what is left of the highest frequencies after

@@ -27,7 +27,7 @@ enum status steady_new(const struct model *m, const struct steady_options *o, st
 {
     size_t n = 3 * ((size_t)m->n + 1), probes = (size_t)o->n_probes;
 
-    *ret = (struct steady){.model = m, .options = *o};
+    *ret = (struct steady){.model = m, .options = *o, .moving = INFINITY};
     ret->least = mem_doubles(n);
     ret->greatest = mem_doubles(n);
     ret->strobe = mem_doubles((STEADY_MOST_PERIODS + 1) * n);
@@ -187,6 +187,7 @@ static enum status end_block(struct steady *s, double t, long period, int *ret_d
         orbit_of(&s->window[p], &s->orbit[p]);
     begin_block(s);
     if (status == SW_OK && s->blocks >= 2 && t - 2 * length >= s->options.begin * (1 - 1e-12)) {
+        s->judged = 1;
         judge(s, old);
         *ret_done = s->kind != STEADY_NONE;
     }
@@ -230,7 +231,7 @@ void steady_end(struct steady *s)
     long third = s->blocks / 3;
     double most = largest(s->amplitude);
 
-    if (s->kind != STEADY_NONE || third < 2 || !(s->moving > STAND))
+    if (s->kind != STEADY_NONE || third < 2 || !s->judged || !(s->moving > STAND))
         return;
     for (int c = 0; c < 3; c++) {
         double least[2], greatest[2];

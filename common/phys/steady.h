@@ -49,9 +49,11 @@ struct steady {
     double change[STEADY_MOST_PERIODS + 1][3]; /* R_m,c of the last block */
     double *history;                           /* (room, 3) A_c of all blocks; owned */
     long room;
+    int judged; /* whether a block has been */
     enum steady_kind kind;
     int period;    /* m of STEADY_PERIODIC */
-    double moving; /* largest relative change of the last block: of amplitudes and by R_m */
+    double moving; /* largest relative change of the last block: of amplitudes and by R_m; else
+                    * infinite */
 };
 
 /* SW_NOMEM. */
