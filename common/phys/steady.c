@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ROUND_OFF 1e-9 /* of an amplitude: changes below it may grow */
-#define STAND 0.02     /* of an amplitude: bounds that stand still, over thirds of the run */
+#define ROUND_OFF 1e-9                   /* of an amplitude: changes below it may grow */
+#define QUARTER (STEADY_SAMPLES * 3 / 4) /* sample of the earlier one of two looks in a period */
+#define STAND 0.02 /* of an amplitude: bounds that stand still, over thirds of the run */
 
 static size_t places(const struct steady *s)
 {
@@ -30,7 +31,7 @@ enum status steady_new(const struct model *m, const struct steady_options *o, st
     *ret = (struct steady){.model = m, .options = *o, .moving = INFINITY};
     ret->least = mem_doubles(n);
     ret->greatest = mem_doubles(n);
-    ret->strobe = mem_doubles((STEADY_MOST_PERIODS + 1) * n);
+    ret->strobe = mem_doubles((STEADY_MOST_PERIODS + 1) * 2 * n);
     ret->window = mem_zeroed(probes, sizeof *ret->window);
     ret->orbit = mem_zeroed(probes, sizeof *ret->orbit);
     if (!ret->least || !ret->greatest || !ret->strobe || !ret->window || !ret->orbit) {
@@ -74,7 +75,7 @@ static void take_sample(struct steady *s, double phi, const double *V)
 
 static double *strobe_of(struct steady *s, long period)
 {
-    return s->strobe + places(s) * (size_t)(period % (STEADY_MOST_PERIODS + 1));
+    return s->strobe + 2 * places(s) * (size_t)(period % (STEADY_MOST_PERIODS + 1));
 }
 
 /* R_m,c and A_c at the end of a block, period number `now`. */
@@ -94,7 +95,7 @@ static void measure(struct steady *s, long now)
         const double *past = strobe_of(s, now > m ? now - m : now + 1);
 
         memset(s->change[m], 0, sizeof s->change[m]);
-        for (size_t i = 0; i < places(s); i++)
+        for (size_t i = 0; i < 2 * places(s); i++)
             s->change[m][i % 3] = fmax(s->change[m][i % 3], fabs(present[i] - past[i]));
     }
 }
@@ -194,6 +195,12 @@ static enum status end_block(struct steady *s, double t, long period, int *ret_d
     return status;
 }
 
+static void look(const struct steady *s, double *to, const double *V)
+{
+    for (size_t i = 0; i < places(s); i++)
+        to[i] = V[2 * i];
+}
+
 enum status steady_add(struct steady *s, double t, double phi, const double *V, int *ret_done)
 {
     long period;
@@ -201,11 +208,12 @@ enum status steady_add(struct steady *s, double t, double phi, const double *V, 
     *ret_done = 0;
     s->samples++;
     take_sample(s, phi, V);
+    period = (s->samples + STEADY_SAMPLES - 1) / STEADY_SAMPLES;
+    if (s->samples % STEADY_SAMPLES == QUARTER)
+        look(s, strobe_of(s, period) + places(s), V);
     if (s->samples % STEADY_SAMPLES != 0)
         return SW_OK;
-    period = s->samples / STEADY_SAMPLES;
-    for (size_t i = 0; i < places(s); i++)
-        strobe_of(s, period)[i] = V[2 * i];
+    look(s, strobe_of(s, period), V);
     return period % s->options.periods == 0 ? end_block(s, t, period, ret_done) : SW_OK;
 }
 

@@ -32,6 +32,8 @@ static void derivatives(const struct sweep *s, const double *corner, int n)
     const double h = 1e-3;
     uint64_t seed = 4711;
 
+    for (int k = 0; k < n; k++)
+        near_abs(phase_at(s, corner[k] * (1 + 1e-12)), phase_at(s, corner[k] * (1 - 1e-12)), 1e-7);
     for (int i = 0; i < 20000; i++) {
         double t = uniform_in(&seed, -0.1, 1.1) * s->duration, phase, omega, rate;
         int near = 0;
