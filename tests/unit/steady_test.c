@@ -60,7 +60,7 @@ static void one_to_one(double t, double phi, double v[3])
 static void one_to_two(double t, double phi, double v[3])
 {
     one_to_one(t, phi, v);
-    v[2] = settling(t) * 1.2 * cos(phi / 2 + 0.3);
+    v[2] = 0.25 + settling(t) * (1.2 * cos(phi / 2 + 0.3) + 0.1 * cos(phi));
 }
 
 /* Through zero whenever a period ends: at one moment a period it looks like 1:1. */
@@ -108,9 +108,10 @@ static void periodic(void **state)
             assert_true(t > 150 && t < 320);
             below(s.moving, 1e-4);
             near_abs(s.orbit[0].harmonic[1][1], 1, i == 3 && odd ? 0.02 : 2e-4);
-            if (try[i].m == 2) { /* exact for pairs of periods: the odd one is left out */
+            if (i == 1) { /* exact for pairs of periods: the odd one is left out */
                 near_rel(s.orbit[0].harmonic[0][2], 1.2, 2e-4);
-                near_rel(s.orbit[0].amplitude[2], 1.2, 2e-3); /* 50 samples of 2 periods */
+                near_rel(s.orbit[0].harmonic[1][2], 0.1, 2e-4);
+                near_abs(s.orbit[0].mean[2], 0.25, 1e-6);
                 assert_int_equal(s.orbit[0].plane, ORBIT_LATERAL);
             }
             steady_free(&s);
@@ -150,6 +151,13 @@ static void slow(double t, double phi, double v[3])
     v[1] = (1 - 0.9 * exp(-t / 1e4)) * cos(phi);
 }
 
+/* The same near its end: bounds stand still, and it returns nearly, but not within the tolerance.
+ */
+static void slow_at_last(double t, double phi, double v[3])
+{
+    v[1] = (1 - 0.05 * exp(-t / 1e4)) * cos(phi);
+}
+
 static void kinds(void **state)
 {
     static const struct {
@@ -160,6 +168,7 @@ static void kinds(void **state)
                {two_frequencies, 100, STEADY_NONE}, /* five blocks: no thirds to compare */
                {wandering, 600, STEADY_NONE},
                {slow, 600, STEADY_NONE},
+               {slow_at_last, 600, STEADY_NONE},
                {dying, 400, STEADY_DECAYED},
                {nothing, 400, STEADY_DECAYED},
                {one_to_one, 39, STEADY_NONE}};
@@ -194,6 +203,14 @@ static void hidden(double t, double phi, double v[3])
     v[2] = size / sqrt(1 + size * size) * cos(phi / 2);
 }
 
+/* One within the large motion itself: amplitudes do not tell of it. */
+static void hidden_within(double t, double phi, double v[3])
+{
+    double size = 1e-12 * exp(t / 10);
+
+    v[1] = cos(phi) + size / sqrt(1 + size * size) * cos(phi / 2);
+}
+
 /* The same from a size that is large enough to be seen, but small beside the tolerance. */
 static void seen(double t, double phi, double v[3])
 {
@@ -206,15 +223,16 @@ static void seen(double t, double phi, double v[3])
 static void a_hidden_instability_is_waited_for(void **state)
 {
     struct model m = new_model();
+    static const path try[] = {hidden, seen, hidden_within};
     (void)state;
 
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         struct steady s;
 
-        follow(&m, &usual, i ? seen : hidden, 3000, &s);
+        follow(&m, &usual, try[i], 3000, &s);
         assert_int_equal(s.kind, STEADY_PERIODIC);
         assert_int_equal(s.period, 2);
-        near_rel(s.amplitude[2], 1, 1e-3);
+        near_rel(s.orbit[0].harmonic[0][i == 2 ? 1 : 2], 1, 1e-3);
         steady_free(&s);
     }
     model_free(&m);
