@@ -119,6 +119,7 @@ static void residual(struct march *m, double dt)
 {
     struct alpha *p = m->alpha;
     struct force_extremes seen;
+    double u[6], v[6], a[6], between = march_time(m) + (1 - p->af) * dt;
     int held[6];
 
     for (size_t i = 0; i < model_unknowns(m->model); i++) {
@@ -126,15 +127,17 @@ static void residual(struct march *m, double dt)
         p->Wm[i] = (1 - p->af) * p->W1[i] + p->af * p->W[i];
         p->Am[i] = (1 - p->am) * p->A1[i] + p->am * p->A[i];
     }
+    model_prescribed(m->model, held);
+    march_supports(m, between, u, v, a);
+    for (int i = 0; i < 6; i++) /* A of the free unknowns is that of (af - am) dt earlier */
+        p->Am[held[i]] = a[i];
     force_all(&m->forces, m->options.terms, p->Vm, p->R, &seen);
     if (forcing_any(&m->options.forcing))
-        forcing_subtract(m->model, &m->options.forcing, march_time(m) + (1 - p->af) * dt, p->Vm,
-                         p->Wm, p->R);
+        forcing_subtract(m->model, &m->options.forcing, between, p->Vm, p->Wm, p->R);
     band_multiply_add(&p->M, 1, p->Am, p->R);
     band_multiply_add(&p->C, 1, p->Wm, p->R);
     for (size_t i = 0; i < model_unknowns(m->model); i++)
         p->R[i] = -p->R[i];
-    model_prescribed(m->model, held);
     for (int i = 0; i < 6; i++)
         p->R[held[i]] = 0;
 }
@@ -202,40 +205,47 @@ static enum status step(struct march *m, double dt)
     return SW_NOCONV;
 }
 
-enum status alpha_settle(struct march *m)
+/* Acceleration of the present time itself, from M X = R - F - C W; spoils R and J. */
+static enum status accelerate(const struct march *m, double *X)
 {
     struct alpha *p = m->alpha;
-    size_t size = (size_t)p->M.n * (size_t)(p->M.kd + 1);
+    size_t size = (size_t)p->M.n * (size_t)(p->M.kd + 1), n = model_unknowns(m->model);
     double u[6], v[6], a[6];
     struct force_extremes seen;
+    struct force_table forces = m->forces; /* its work space is what changes */
     int held[6];
     enum status s;
 
-    if (p->settled)
-        return SW_OK;
     march_supports(m, march_time(m), u, v, a);
     model_prescribed(m->model, held);
-    memset(p->A, 0, sizeof *p->A * model_unknowns(m->model));
+    memset(X, 0, sizeof *X * n);
     for (int i = 0; i < 6; i++)
-        p->A[held[i]] = a[i];
-    force_all(&m->forces, m->options.terms, m->V, p->R, &seen);
+        X[held[i]] = a[i];
+    force_all(&forces, m->options.terms, m->V, p->R, &seen);
     if (forcing_any(&m->options.forcing))
         forcing_subtract(m->model, &m->options.forcing, march_time(m), m->V, p->W, p->R);
     band_multiply_add(&p->C, 1, p->W, p->R);
-    band_multiply_add(&p->M, 1, p->A, p->R);
-    for (size_t i = 0; i < model_unknowns(m->model); i++)
-        p->R[i] = -p->R[i];
+    band_multiply_add(&p->M, 1, X, p->R);
+    for (size_t i = 0; i < n; i++)
+        X[i] = -p->R[i];
     for (int i = 0; i < 6; i++)
-        p->R[held[i]] = a[i];
+        X[held[i]] = a[i];
     memcpy(p->J.a, p->M.a, size * sizeof *p->J.a);
     hold(m->model, &p->J);
     s = band_factor_in_place(&p->J);
-    if (s != SW_OK)
-        return s;
-    band_solve_in_place(&p->J, p->R);
-    memcpy(p->A, p->R, sizeof *p->A * model_unknowns(m->model));
-    p->settled = 1;
-    return SW_OK;
+    if (s == SW_OK)
+        band_solve_in_place(&p->J, X);
+    return s;
+}
+
+enum status alpha_settle(struct march *m)
+{
+    struct alpha *p = m->alpha;
+    enum status s = p->settled ? SW_OK : accelerate(m, p->A);
+
+    if (s == SW_OK)
+        p->settled = 1;
+    return s;
 }
 
 /* Error of the step that was tried, over what is allowed; 0 for fixed steps. */
@@ -312,12 +322,13 @@ void alpha_support(const struct march *m, double ret[6])
     int held[6];
 
     model_prescribed(m->model, held);
+    accelerate(m, p->Am); /* cannot fail: M did not when the march settled */
     for (int i = 0; i < 6; i++) {
         int at = held[i];
 
         ret[i] = m->F[at];
         for (int j = at - p->M.kd; j <= at + p->M.kd; j++)
             if (j >= 0 && j < p->M.n)
-                ret[i] += band_get(&p->M, at, j) * p->A[j] + band_get(&p->C, at, j) * p->W[j];
+                ret[i] += band_get(&p->M, at, j) * p->Am[j] + band_get(&p->C, at, j) * p->W[j];
     }
 }

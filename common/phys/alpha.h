@@ -55,8 +55,8 @@ enum status alpha_advance(struct march *m);
  * SW_INDEFINITE: the mass matrix is no longer finite. */
 enum status alpha_settle(struct march *m);
 
-/* ret = M A + C W + F in the rows of the supports, F the internal forces less those from outside.
- */
+/* ret = M X + C W + F in the rows of the supports, F the internal forces less those from outside, X
+ * the acceleration of the present time: A belongs to (af - am) dt earlier. */
 void alpha_support(const struct march *m, double ret[6]);
 
 #endif

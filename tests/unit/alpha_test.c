@@ -70,13 +70,14 @@ static double apart(const double *a, const double *b)
     return most;
 }
 
-/* Lowest modes, largest displacement 1 m, in V: k from 0. */
+/* Mode k from 0, or the next lower one that moves at a node; largest displacement 1 m. */
 static void shape(const struct model *m, int k, double *V, double *ret_omega)
 {
     struct modes p;
 
     assert_int_equal(modes_lowest(m, k + 1, SOLVER_DENSE, &p), SW_OK);
-    assert_int_equal(modes_unit_shape(m, &p, k, V), SW_OK);
+    while (modes_unit_shape(m, &p, k, V) != SW_OK)
+        assert_true(--k >= 0);
     *ret_omega = p.omega[k];
     modes_free(&p);
 }
@@ -107,8 +108,8 @@ static struct march_options everything(struct march_options o)
     return o;
 }
 
-/* Half the step, a quarter of the error: for several radii, by steps of 1/64 to 1/256 s (mode 1 has
- * a period of 1.4 s), from a smooth start; against central differences of 1e-5 s. */
+/* Half the step, a quarter of the error: for several radii, by steps of 1/128 to 1/512 s (mode 1
+ * has a period of 1.4 s), from a smooth start; against central differences of 1e-5 s. */
 static void order_two(void **state)
 {
     static const double radius[] = {1, 0.8, 0.3, 0};
@@ -124,7 +125,7 @@ static void order_two(void **state)
         double error[3];
 
         for (int i = 0; i < 3; i++) {
-            struct march_options o = everything(implicit(0.25, 16 << i, 3));
+            struct march_options o = everything(implicit(0.25, 32 << i, 3));
             double V[ALL];
 
             o.radius = radius[k];
@@ -140,8 +141,9 @@ static void order_two(void **state)
     model_free(&m);
 }
 
-/* The highest mode, at omega dt = 1e4: what is left after a step is the radius.  The roots there
- * are a pair, so that n steps leave up to n^2 r^n: over steps 200 to 300 that is 1 per cent a step.
+/* The highest mode, at omega dt = 1e7 (the lowest has 2e4): what is left after a step is the
+ * radius.  The roots there are a pair, so that n steps leave up to n^2 r^n: over steps 200 to 300
+ * that is 1 per cent a step.
  */
 static void radius_at_infinity(void **state)
 {
@@ -154,7 +156,7 @@ static void radius_at_infinity(void **state)
     for (int i = 0; i < ALL; i++)
         W[i] = 0;
     for (int k = 0; k < 4; k++) {
-        struct march_options o = implicit(1e4 / omega, 1, 0);
+        struct march_options o = implicit(1e7 / omega, 1, 0);
         double energy[2] = {0, 0};
         struct march a;
 
@@ -250,33 +252,51 @@ static void damping(void **state)
     model_free(&m);
 }
 
-/* Forces of the supports, too, are those of central differences. */
-static void support_forces(void **state)
+/* Forces of the supports are those of central differences, and the balance of energy closes: both
+ * with the square of the step, though the scheme's own accelerations are late by a part of it. */
+static void support_forces_and_energy(void **state)
 {
     struct model m = new_model(N);
-    struct march_options fine = everything((struct march_options){.dt = 1 / 65536.0}),
-                         o = everything(implicit(1 / 16.0, 64, 3));
-    double rest[ALL] = {0}, f[6], g[6];
-    struct march a, b;
+    struct march_options fine = everything((struct march_options){.dt = 1 / 65536.0});
+    double rest[ALL] = {0}, work[ALL], f[6], g[6], error[3] = {0}, open[3];
+    struct march a;
     (void)state;
 
     fine.substeps = 1;
     fine.interval = fine.dt;
     assert_int_equal(march_new(&m, &fine, &a), SW_OK);
-    assert_int_equal(march_new(&m, &o, &b), SW_OK);
     assert_int_equal(march_start(&a, rest, NULL), SW_OK);
-    assert_int_equal(march_start(&b, rest, NULL), SW_OK);
     assert_int_equal(run_to(&a, 3), SW_OK);
-    assert_int_equal(run_to(&b, 3), SW_OK);
     assert_int_equal(march_solve(&a), SW_OK);
-    assert_int_equal(march_solve(&b), SW_OK);
     march_support_force(&a, f);
-    march_support_force(&b, g);
-    for (int i = 0; i < 6; i++)
-        near_abs(g[i], f[i], 1e-3 * m.line.H);
     assert_true(fabs(f[0] + m.line.H) > 0.01 * m.line.H);
     march_free(&a);
-    march_free(&b);
+    for (int i = 0; i < 3; i++) {
+        struct march_options o = everything(implicit(1 / 16.0, 8 << i, 3));
+        struct energy e = {.started = 0};
+
+        assert_int_equal(march_new(&m, &o, &a), SW_OK);
+        assert_int_equal(march_start(&a, rest, NULL), SW_OK);
+        for (;;) {
+            assert_int_equal(march_solve(&a), SW_OK);
+            energy_step(&e, &a, work);
+            if (march_time(&a) > 3 - 1e-9)
+                break;
+            assert_int_equal(march_advance(&a), SW_OK);
+        }
+        march_support_force(&a, g);
+        for (int k = 0; k < 6; k++)
+            error[i] = fmax(error[i], fabs(g[k] - f[k]) / m.line.H);
+        open[i] = fabs(energy_error(&e)) / (fabs(e.supports) + fabs(e.loads) + e.dissipated);
+        assert_true(e.supports != 0 && e.loads != 0 && e.dissipated > 0);
+        march_free(&a);
+    }
+    print_message("# support forces off by %.2g %.2g %.2g of H, energy open by %.2g %.2g %.2g\n",
+                  error[0], error[1], error[2], open[0], open[1], open[2]);
+    below(error[2], 1e-3);
+    below(open[2], 1e-3);
+    below(fabs(log2(error[1] / error[2]) - 2), 0.3);
+    below(open[2], 0.3 * open[1]); /* the trapezoidal rule meets corners of the ramps */
     model_free(&m);
 }
 
@@ -310,7 +330,7 @@ static void long_steps(void **state)
 /* In equilibrium under a constant force nothing moves; and damped motion ends there. */
 static void equilibrium(void **state)
 {
-    static const struct force pull = {.position = 0.4, .value = {3, 20, -10}, .omega = NAN};
+    static const struct force pull = {.position = 0.4, .value = {3, 60, -30}, .omega = NAN};
     const double still[6] = {0};
     struct model m = new_model(N);
     struct march_options o = implicit(0.05, 0, 3);
@@ -458,7 +478,7 @@ static void memory_runs_out(void **state)
 
 TEST_MAIN(cmocka_unit_test(order_two), cmocka_unit_test(radius_at_infinity),
           cmocka_unit_test(radius_zero), cmocka_unit_test(energy_stays), cmocka_unit_test(damping),
-          cmocka_unit_test(support_forces), cmocka_unit_test(long_steps),
+          cmocka_unit_test(support_forces_and_energy), cmocka_unit_test(long_steps),
           cmocka_unit_test(equilibrium), cmocka_unit_test(rest_and_kick),
           cmocka_unit_test(tolerance), cmocka_unit_test(failure_is_told),
           cmocka_unit_test(memory_runs_out))

@@ -157,5 +157,43 @@ static void forces_of_all_elements(void **state)
     print_message("# forces of all elements: %.2g apart\n", worst);
 }
 
+/* The tangent of all elements against that of each; with a factor, on top of what is there. */
+static void tangents_of_all_elements(void **state)
+{
+    uint64_t seed = 815;
+    double worst = 0;
+    (void)state;
+
+    for (int n = 1; n <= 33; n++) {
+        struct force_table table;
+        struct model m;
+
+        assert_int_equal(model_new(&seil2, (enum law)(n % 3), n, &m), SW_OK);
+        assert_int_equal(force_new(&m, &table), SW_OK);
+        for (int terms = 0; terms <= 3; terms++) {
+            double V[MOST], most = 0;
+            struct band J, K;
+
+            for (int i = 0; i < 6 * (n + 1); i++)
+                V[i] = uniform_in(&seed, -0.1, 0.1);
+            assert_int_equal(model_tangent(&m, terms, 0, V, &K), SW_OK);
+            assert_int_equal(band_new(K.n, K.kd, &J), SW_OK);
+            force_tangent(&table, terms, V, 0.25, &J);
+            force_tangent(&table, terms, V, 0.5, &J);
+            for (int i = 0; i < K.n * (K.kd + 1); i++)
+                most = fmax(most, fabs(K.a[i]));
+            for (int i = 0; i < K.n * (K.kd + 1); i++) {
+                worst = fmax(worst, fabs(J.a[i] - 0.75 * K.a[i]) / most);
+                near_abs(J.a[i], 0.75 * K.a[i], 1e-14 * most);
+            }
+            band_free(&J);
+            band_free(&K);
+        }
+        force_free(&table);
+        model_free(&m);
+    }
+    print_message("# tangents of all elements: %.2g apart\n", worst);
+}
+
 TEST_MAIN(cmocka_unit_test(every_mesh_and_term), cmocka_unit_test(with_dampers),
-          cmocka_unit_test(forces_of_all_elements))
+          cmocka_unit_test(forces_of_all_elements), cmocka_unit_test(tangents_of_all_elements))
