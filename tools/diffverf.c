@@ -130,6 +130,13 @@ static void warn_of_plan(void)
              march_critical_step(&model));
 }
 
+/* How many steps the automatic step of the implicit scheme has taken. */
+static void note_steps(void)
+{
+    if (march->alpha && march->step > 0)
+        note("%ld steps, %.6g s on average", march->step, march_time(march) / (double)march->step);
+}
+
 /* Whether the march is behind its last row. */
 static int is_over(void)
 {
@@ -206,6 +213,7 @@ static void run(void)
     for (int i = 0; i < c.n_disturbances; i++)
         if (c.disturbance[i].time > c.time.end)
             warn("[%s] comes after time.end: it never acted", c.disturbance_label[i]);
+    note_steps();
     report_slack();
 }
 
@@ -293,6 +301,7 @@ static void find_steady(const char *path)
     progress_end();
     if (response.kind == STEADY_NONE)
         warn("no steady state until t = %.6g s", response.time);
+    note_steps();
     report_slack();
     response_header(c.time.n_probes, &o);
     putc('\n', o.f);

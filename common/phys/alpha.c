@@ -9,7 +9,7 @@
 
 #define NEWTON_STEPS 12
 #define CONVERGED 1e-7 /* last correction over the largest displacement; the next is its square */
-#define COARSEN 0.0625 /* of the tolerance: below, the step is doubled */
+#define ROOM 0.5       /* of the tolerance: what a longer step may be expected to need */
 
 /* Band += c b b^T, b within one element. */
 static void add_product(struct band *A, double c, const double *b)
@@ -272,8 +272,49 @@ static void swap(double **a, double **b)
     *b = keep;
 }
 
-/* Take the tried step; the next one may be twice as long where it then ends on the interval's
- * grid. */
+/* The next number of ticks up and down in 1, 2, 3, 4, 6, 8, 12, ... */
+static long longer(long s)
+{
+    return s == 1 ? 2 : s % 3 == 0 ? s / 3 * 4 : s / 2 * 3;
+}
+
+static long shorter(long s)
+{
+    return s == 2 ? 1 : s % 3 == 0 ? s / 3 * 2 : s / 4 * 3;
+}
+
+/* Whether steps of so many ticks lead from here to the end of the interval. */
+static int fits(const struct alpha *p, long stride)
+{
+    return p->ticks % stride == 0 && p->tick % stride == 0;
+}
+
+/* A longer step where it ends on the interval's grid and its error, which goes with the third
+ * power, leaves room. */
+static void lengthen(struct alpha *p, double error_seen)
+{
+    long next = p->stride;
+
+    for (int i = 0; i < 2; i++) {
+        double ratio;
+
+        next = longer(next);
+        ratio = (double)next / (double)p->stride;
+        if (fits(p, next) && error_seen * ratio * ratio * ratio <= ROOM) {
+            p->stride = next;
+            return;
+        }
+    }
+}
+
+static void shorten(struct alpha *p)
+{
+    do
+        p->stride = shorter(p->stride);
+    while (!fits(p, p->stride));
+}
+
+/* Take the tried step. */
 static void accept(struct march *m, double error_seen)
 {
     struct alpha *p = m->alpha;
@@ -288,9 +329,8 @@ static void accept(struct march *m, double error_seen)
         p->row++;
     }
     m->step++;
-    if (m->options.substeps == 0 && error_seen < COARSEN && 2 * p->stride <= p->ticks &&
-        p->tick % (2 * p->stride) == 0)
-        p->stride *= 2;
+    if (m->options.substeps == 0)
+        lengthen(p, error_seen);
 }
 
 enum status alpha_advance(struct march *m)
@@ -309,7 +349,7 @@ enum status alpha_advance(struct march *m)
         }
         if (m->options.substeps > 0 || p->stride == 1)
             return s == SW_OK ? SW_NOCONV : s;
-        p->stride /= 2;
+        shorten(p);
         p->rejected++;
         s = SW_OK;
     }

@@ -11,7 +11,7 @@
  * Second order, stable for any step, and r = 0..1 is what is left of the highest frequencies after
  * a step: axial waves need no resolution.  With a tolerance the step follows the error of each
  * step, |b - 1/6| dt^2 max |A(n+1) - A|, which it keeps below tolerance times the largest
- * displacement so far; steps are the interval of the march over powers of two.
+ * displacement so far; steps are the interval of the march over 1, 2, 3, 4, 6, 8, 12, ...
  */
 #ifndef SEILWERK_PHYS_ALPHA_H
 #define SEILWERK_PHYS_ALPHA_H
@@ -21,7 +21,7 @@
 
 struct march;
 
-#define ALPHA_FINEST 1048576 /* steps of an interval at the most: 2^20 */
+#define ALPHA_FINEST 3145728 /* steps of an interval at the most: 3 2^20 */
 
 struct alpha {
     double am, af, g, b;  /* of the method */

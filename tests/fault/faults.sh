@@ -13,6 +13,13 @@ a,100,2,1e6,3,,
 "b, 2",100,2,1e6,,1.1,2
 END
 
+cat >points.csv <<END
+name,motion deck.omega,damping.beta,time.scheme
+a,7.8,,
+"b, 2",7.9,0,
+c,7.9,,alpha
+END
+
 # Until the file has content, ten seconds at most.
 wait_for()
 {
@@ -30,6 +37,13 @@ run()
     catenary) catenary -o result/out.csv stay.ini ;;
     modal) modal -d result/model -o result/out.csv stay.ini ;;
     diffverf) diffverf -d whole -o result/out.csv --set disturbance.mode=1 \
+        --set disturbance.amplitude=0.01 stay.ini ;;
+    sweep) diffverf -o result/out.csv --set sweep.from=8 --set sweep.to=9 --set sweep.rate=1 \
+        --set time.end= --set time.scheme=alpha stay.ini ;;
+    steady) diffverf -d whole -q --steady -o result/out.csv --set steady.periods=2 \
+        --set time.end=3 --set disturbance.mode=1 --set disturbance.amplitude=0.01 stay.ini ;;
+    points) diffverf -d whole -q --threads 1 --points points.csv -o result/out.csv \
+        --set steady.periods=2 --set time.end=2 --set disturbance.mode=1 \
         --set disturbance.amplitude=0.01 stay.ini ;;
     print) catenary --print-case -o result/out.csv stay.ini ;;
     table) catenary --table -o result/out.csv table.csv ;;
@@ -90,7 +104,7 @@ output()
 }
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
-    for tool in catenary modal diffverf print table stiffness; do
+    for tool in catenary modal diffverf sweep steady points print table stiffness; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done
