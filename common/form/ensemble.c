@@ -278,22 +278,27 @@ static enum status fly_together(struct work *w, int class)
     return s;
 }
 
-/* Classes of all points, before any of them is run.  A point that cannot be used is alone. */
-static void classify(struct work *w)
+/* Classes of all points, before any of them is run.  A point that cannot be used is alone.
+ * SW_NOMEM. */
+static enum status classify(struct work *w)
 {
     const struct points *p = w->e->points;
 
     for (int i = w->e->first; i < p->n; i++) {
         struct cable_case c;
         struct why why;
+        enum status s = points_case(p, i, &c, &why);
 
         w->class[i] = ALONE;
-        if (points_case(p, i, &c, &why) != SW_OK)
+        if (s == SW_NOMEM)
+            return s;
+        if (s != SW_OK)
             continue;
         w->class[i] = (signed char)class_of(&c);
         w->n_motions = c.n_motions > w->n_motions ? c.n_motions : w->n_motions;
         case_free(&c);
     }
+    return SW_OK;
 }
 
 enum status ensemble_modes_wanted(const struct points *p, int *ret, struct why *why)
@@ -329,8 +334,9 @@ enum status ensemble_run(const struct ensemble *e, struct why *why)
     }
     for (int i = 0; i < CLASSES; i++)
         w.next[i] = e->first;
-    classify(&w);
-#pragma omp parallel num_threads(e->threads)
+    w.status = classify(&w);
+    w.stop = w.status != SW_OK;
+#pragma omp parallel num_threads(e->threads) if (!w.stop)
     {
         for (int class = 1; class < CLASSES; class ++) {
             enum status s = fly_together(&w, class);
