@@ -21,7 +21,7 @@ static enum status read_state(struct rows_file *f, long *bytes, struct why *why)
         return s;
     s = npy_read(&in, &a, why);
     in_close_replaceable(&in);
-    if (s == SW_OK && (a.columns != 1 || a.rows != N_STATE || a.data[VERSION] != f->kind))
+    if (s == SW_OK && (a.columns != 1 || a.rows != N_STATE || a.data[VERSION] != (double)f->kind))
         s = fail(why, SW_FORMAT, "%s: is no state of such a run", f->state);
     if (s == SW_OK)
         s = state_checksum(f->c, f->columns, &high, &low, why);
@@ -56,7 +56,8 @@ enum status rows_file_open(struct rows_file *f, struct why *why)
 
 static enum status save(struct rows_file *f, struct why *why)
 {
-    double all[N_STATE] = {f->kind, 0, 0, (double)f->next, (double)out_bytes(&f->out), f->failed};
+    double all[N_STATE] = {(double)f->kind, 0, 0, (double)f->next, (double)out_bytes(&f->out),
+                           f->failed};
     enum status s = state_checksum(f->c, f->columns, &all[CASE_HIGH], &all[CASE_LOW], why);
     struct out o;
 

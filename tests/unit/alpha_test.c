@@ -41,9 +41,9 @@ static enum status run_to(struct march *a, double end)
         if (s == SW_OK)
             s = march_advance(a);
         /* steps end on the grid of the interval, and at its end */
-        assert_true(a->alpha == NULL || (a->alpha->tick < a->alpha->ticks &&
-                                         a->alpha->ticks % a->alpha->stride == 0 &&
-                                         a->alpha->tick % a->alpha->stride == 0));
+        assert_true(a->alpha == NULL ||
+                    (a->alpha->tick < a->alpha->ticks && a->alpha->ticks % a->alpha->stride == 0 &&
+                     a->alpha->tick % a->alpha->stride == 0));
     }
     if (s == SW_OK)
         near_abs(march_time(a), end, 1e-9);

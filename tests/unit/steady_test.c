@@ -187,8 +187,8 @@ static void kinds(void **state)
         if (try[i].periods == 39) /* nothing has been compared */
             assert_true(isinf(s.moving));
         if (try[i].p == dying) /* until e^{-t/10} = 1e-4 at the least: 92 s; a block is 42 s */
-            assert_true(s.samples > 92 / (2 * PI / OMEGA) * STEADY_SAMPLES &&
-                        s.samples < 200 / (2 * PI / OMEGA) * STEADY_SAMPLES);
+            assert_true((double)s.samples > 92 / (2 * PI / OMEGA) * STEADY_SAMPLES &&
+                        (double)s.samples < 200 / (2 * PI / OMEGA) * STEADY_SAMPLES);
         steady_free(&s);
     }
     model_free(&m);
