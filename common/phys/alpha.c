@@ -40,11 +40,23 @@ static enum status new_matrices(struct march *m)
     return s;
 }
 
+static enum status new_vectors(struct march *m)
+{
+    struct alpha *p = m->alpha;
+    double **vector[] = {&p->W, &p->A, &p->V1, &p->W1, &p->A1, &p->Vm, &p->Wm, &p->Am, &p->R};
+
+    for (size_t i = 0; i < sizeof vector / sizeof *vector; i++) {
+        *vector[i] = model_vector(m->model);
+        if (!*vector[i])
+            return SW_NOMEM;
+    }
+    return SW_OK;
+}
+
 enum status alpha_new(struct march *m)
 {
     double r = m->options.radius;
     struct alpha *p = m->alpha = mem_zeroed(1, sizeof *p);
-    double **vector[] = {&p->W, &p->A, &p->V1, &p->W1, &p->A1, &p->Vm, &p->Wm, &p->Am, &p->R};
 
     if (!p)
         return SW_NOMEM;
@@ -55,12 +67,7 @@ enum status alpha_new(struct march *m)
     p->ticks = m->options.substeps > 0 ? m->options.substeps : ALPHA_FINEST;
     p->stride = m->options.substeps > 0 ? 1 : ALPHA_FINEST / 4;
     p->past = -1;
-    for (size_t i = 0; i < sizeof vector / sizeof *vector; i++) {
-        *vector[i] = model_vector(m->model);
-        if (!*vector[i])
-            return SW_NOMEM;
-    }
-    return new_matrices(m);
+    return new_vectors(m) == SW_OK ? new_matrices(m) : SW_NOMEM;
 }
 
 void alpha_free(struct alpha *p)

@@ -225,4 +225,48 @@ awk -F, 'FILENAME ~ /^single/ { row[$1 "," $2] = $0; next }
     single-0 single-1 grid.out
 ok $? 'row by row as single runs'
 
+# The studies and their pictures, on coarser grids.
+for study in sweep-seil1 ensemble-seil2; do
+    runs 2 "$study: usage" "$experiments/$study/run"
+    says 'usage: run DIR' "$study: says how"
+done
+for plot in sweep ensemble; do
+    runs 2 "plot/$plot: usage" "$top/scripts/plot/$plot"
+    says "usage: $plot " "plot/$plot: says how"
+done
+runs 2 'plot/sweep: no sweep' "$top/scripts/plot/sweep" points.csv points.csv - none.png
+says 'are no sweeps of diffverf' 'plot/sweep: says so'
+runs 2 'plot/ensemble: no table of points' "$top/scripts/plot/ensemble" rise.csv rise.csv none.png
+says 'is no table of points' 'plot/ensemble: says so'
+[ ! -e none.png ]
+ok $? 'no picture without data'
+if command -v gnuplot >/dev/null 2>&1; then
+    runs 0 'plot/sweep: a table' "$top/scripts/plot/sweep" rise.csv fall.csv - curves.png
+    png curves.png
+    ok $? 'plot/sweep: a picture'
+    runs 0 'sweep-seil1' env RATE=0.01 "$experiments/sweep-seil1/run" sweep
+    same out sweep/table.txt 'sweep-seil1: prints its table'
+    [ ! -s err ]
+    ok $? 'sweep-seil1: nothing on stderr'
+    [ "$(grep -cE '^ *[0-9.]+( +-?[0-9.]+){6}  (periodic|quasi|none)' sweep/table.txt)" -eq 50 ]
+    ok $? 'sweep-seil1: 50 frequencies'
+    for part in whirl parametric; do
+        png sweep/$part.png
+        ok $? "sweep-seil1: $part.png"
+    done
+    runs 0 'ensemble-seil2' env SIDE=6 "$experiments/ensemble-seil2/run" ensemble
+    same out ensemble/table.txt 'ensemble-seil2: prints its table'
+    grep -q '^54 points:' out && [ "$(wc -l <ensemble/states.csv)" -eq 55 ]
+    ok $? 'ensemble-seil2: 54 points'
+    # the grid's amplitudes are 15 mm apart: none vibrates below the boundary by more than 3 mm where
+    # the branch begins at zero, none above it by more than that distance stays in its plane
+    awk '/^ *[89]\.[0-9]/ && $1 < 9.3 && $3 != "-" { n++
+        if (!($2 > $3 - 0.003 && $2 < $3 + 0.0155)) bad++ } END { exit !(n >= 3 && !bad) }' out
+    ok $? 'ensemble-seil2: lateral vibration begins at the boundary of stabil'
+    png ensemble/ensemble-seil2.png
+    ok $? 'ensemble-seil2: the picture'
+else
+    skip 'no gnuplot here'
+fi
+
 finish
