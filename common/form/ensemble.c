@@ -130,8 +130,9 @@ static enum status prepare(const struct ensemble *e, int i, struct flight *f)
 static void locate(const struct ensemble *e, struct flight *f)
 {
     struct why old = f->outcome.why;
+    size_t length = strlen(e->points->name);
 
-    if (strncmp(old.text, e->points->name, strlen(e->points->name)) != 0)
+    if (strncmp(old.text, e->points->name, length) != 0 || old.text[length] != ':')
         fail(&f->outcome.why, f->outcome.status, "%.400s:%d: %.600s", e->points->name,
              e->points->point[f->point].line, old.text);
 }

@@ -10,6 +10,8 @@
 #define NEWTON_STEPS 12
 #define CONVERGED 1e-7 /* last correction over the largest displacement; the next is its square */
 #define ROOM 0.5       /* of the tolerance: what a longer step may be expected to need */
+#define EVEN 256       /* steps of one length before a longer one: more than a period */
+#define LITTLE 0.01    /* of ROOM: a longer step at once */
 
 /* Band += c b b^T, b within one element. */
 static void add_product(struct band *A, double c, const double *b)
@@ -296,29 +298,44 @@ static int fits(const struct alpha *p, long stride)
     return p->ticks % stride == 0 && p->tick % stride == 0;
 }
 
-/* A longer step where it ends on the interval's grid and its error, which goes with the third
- * power, leaves room. */
-static void lengthen(struct alpha *p, double error_seen)
+static void set_stride(struct alpha *p, long stride)
 {
+    p->stride = stride;
+    p->worst = 0;
+    p->even = 0;
+}
+
+/* A longer step where it ends on the interval's grid and its error, which goes with the third
+ * power, leaves room.  By the worst of many steps: else their lengths would change to and fro
+ * within a period, and never alike, and a limit cycle would not quite be one. */
+static void lengthen(struct alpha *p)
+{
+    int judged = p->even >= EVEN && p->tick == 0; /* where all of them fit */
     long next = p->stride;
 
     for (int i = 0; i < 2; i++) {
-        double ratio;
+        double ratio, needs;
 
         next = longer(next);
         ratio = (double)next / (double)p->stride;
-        if (fits(p, next) && error_seen * ratio * ratio * ratio <= ROOM) {
-            p->stride = next;
+        needs = p->worst * ratio * ratio * ratio;
+        if (fits(p, next) && needs <= (judged ? 1 : LITTLE) * ROOM) {
+            set_stride(p, next);
             return;
         }
     }
+    if (judged)
+        set_stride(p, p->stride);
 }
 
 static void shorten(struct alpha *p)
 {
+    long next = p->stride;
+
     do
-        p->stride = shorter(p->stride);
-    while (!fits(p, p->stride));
+        next = shorter(next);
+    while (!fits(p, next));
+    set_stride(p, next);
 }
 
 /* Take the tried step. */
@@ -336,8 +353,10 @@ static void accept(struct march *m, double error_seen)
         p->row++;
     }
     m->step++;
+    p->worst = fmax(p->worst, error_seen);
+    p->even++;
     if (m->options.substeps == 0)
-        lengthen(p, error_seen);
+        lengthen(p);
 }
 
 enum status alpha_advance(struct march *m)

@@ -35,6 +35,8 @@ struct alpha {
     double S_dt;
     long row, tick, ticks; /* t = interval (row + tick/ticks) */
     long stride;           /* ticks of the next step */
+    long even;             /* steps of this length so far */
+    double worst;          /* error among them, over what is allowed */
     double scale;          /* largest displacement so far [m] */
     double past;           /* time before the last step [s]; negative: there was none */
     int settled;           /* A belongs to V and W */
