@@ -10,8 +10,9 @@
 #define LOOK 1024 /* steps of the lanes between two looks at signals */
 
 /* Points that can share lanes: the same nonlinear terms, and beta > 0 or not.  Class 0: those that
- * march by themselves. */
-enum { ALONE, CLASSES = 9 };
+ * march by themselves; the last one: those that cannot be used, done first, so that no row waits
+ * for them. */
+enum { ALONE, USELESS = 9, CLASSES };
 
 static int class_of(const struct cable_case *c)
 {
@@ -157,12 +158,12 @@ static int interrupted(double share)
     return signals_pending();
 }
 
-static void fly_alone(struct work *w)
+static void fly_alone(struct work *w, int class)
 {
     struct flight f;
     int i;
 
-    while (!stopped(w) && (i = take(w, ALONE)) >= 0) {
+    while (!stopped(w) && (i = take(w, class)) >= 0) {
         if (prepare(w->e, i, &f) == SW_OK)
             f.outcome.status = response_find(&f.launch, &f.outcome.drive, interrupted,
                                              &f.outcome.response, &f.outcome.why);
@@ -279,8 +280,7 @@ static enum status fly_together(struct work *w, int class)
     return s;
 }
 
-/* Classes of all points, before any of them is run.  A point that cannot be used is alone.
- * SW_NOMEM. */
+/* Classes of all points, before any of them is run.  SW_NOMEM. */
 static enum status classify(struct work *w)
 {
     const struct points *p = w->e->points;
@@ -290,7 +290,7 @@ static enum status classify(struct work *w)
         struct why why;
         enum status s = points_case(p, i, &c, &why);
 
-        w->class[i] = ALONE;
+        w->class[i] = USELESS;
         if (s == SW_NOMEM)
             return s;
         if (s != SW_OK)
@@ -337,15 +337,16 @@ enum status ensemble_run(const struct ensemble *e, struct why *why)
         w.next[i] = e->first;
     w.status = classify(&w);
     w.stop = w.status != SW_OK;
+    fly_alone(&w, USELESS);
 #pragma omp parallel num_threads(e->threads) if (!w.stop)
     {
-        for (int class = 1; class < CLASSES; class ++) {
+        for (int class = 1; class < USELESS; class ++) {
             enum status s = fly_together(&w, class);
 
             if (s != SW_OK)
                 stop(&w, s);
         }
-        fly_alone(&w);
+        fly_alone(&w, ALONE);
     }
     for (size_t i = 0; i < n; i++)
         free(w.outcome[i]);

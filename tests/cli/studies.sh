@@ -225,13 +225,13 @@ stops()
     [ ! -e "$file.state" ] && [ ! -e "$file.part" ]
     ok $? "$what: nothing else is left"
 }
-stops 'a sweep' up.csv --set sweep.from=4 --set sweep.to=5.3 --set sweep.rate=1e-4 \
+stops 'a sweep' up.csv --set sweep.from=4 --set sweep.to=5.3 --set sweep.rate=2e-4 \
     --set sweep.back=yes
-stops 'an implicit sweep' alpha.csv --set sweep.from=4 --set sweep.to=5.3 --set sweep.rate=2e-3 \
+stops 'an implicit sweep' alpha.csv --set sweep.from=4 --set sweep.to=5.3 --set sweep.rate=5e-4 \
     --set sweep.back=yes --set time.scheme=alpha
-stops 'an implicit motion' motion.csv --set time.end=1500 --set time.scheme=alpha
+stops 'an implicit motion' motion.csv --set time.end=3000 --set time.scheme=alpha
 awk 'BEGIN { print "motion deck.omega"; for (i = 0; i < 700; i++) print 8.5 + 0.001*i }' >long.csv
-stops 'points' table.csv --threads 2 --points long.csv --set time.end=100 \
+stops 'points' table.csv --threads 2 --points long.csv --set time.end=200 \
     --set steady.tolerance=1e-12
 diffverf --points long.csv --set time.end=100 -o table.csv rope.ini 2>err &
 pid=$!
