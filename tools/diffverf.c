@@ -10,14 +10,14 @@
 #include <string.h>
 #include <unistd.h>
 
-#define CHECKPOINT 60 /* seconds of wall time between checkpoints, unless an option says else */
+#define CHECKPOINT 60 /* seconds of wall time between states, unless an option says else */
 
 static struct {
     struct opt_common common;
     const char *state, *field, *points;
     int resume, energy, steady;
     long checkpoint, threads;
-} args = {.checkpoint = CHECKPOINT};
+} args;
 
 static const struct opt options[] = {
     OPT_OUT(&args.common),
@@ -49,6 +49,11 @@ static struct march *const march = &launch.march;
 static struct energy energy;
 static struct curve curve; /* of a sweep */
 static struct run files;
+
+static long seconds(void)
+{
+    return args.checkpoint > 0 ? args.checkpoint : CHECKPOINT;
+}
 
 static void make_model(int modes_wanted)
 {
@@ -123,6 +128,13 @@ static void warn_of_plan(void)
         note("%.0f steps of %.6g s, critical %.6g s",
              (double)(plan.rows - 1) * (double)march->options.substeps, march->options.dt,
              march_critical_step(&model));
+}
+
+/* How many steps the automatic step of the implicit scheme has taken. */
+static void note_steps(void)
+{
+    if (march->alpha && march->step > 0)
+        note("%ld steps, %.6g s on average", march->step, march_time(march) / (double)march->step);
 }
 
 /* Whether the march is behind its last row. */
@@ -201,6 +213,7 @@ static void run(void)
     for (int i = 0; i < c.n_disturbances; i++)
         if (c.disturbance[i].time > c.time.end)
             warn("[%s] comes after time.end: it never acted", c.disturbance_label[i]);
+    note_steps();
     report_slack();
 }
 
@@ -230,7 +243,7 @@ static void open_files(void)
                          .columns = args.energy ? "energy" : "",
                          .resume = args.resume,
                          .mark = {.more = curve.more, .n_more = curve.n_more},
-                         .checkpoint = args.checkpoint};
+                         .checkpoint = seconds()};
     must(run_prepare(&files, &why), &why);
     must(run_open(&files, (size_t)((plan.rows - 1) / plan.field_rows + 1), &why), &why);
     if (args.resume)
@@ -288,6 +301,7 @@ static void find_steady(const char *path)
     progress_end();
     if (response.kind == STEADY_NONE)
         warn("no steady state until t = %.6g s", response.time);
+    note_steps();
     report_slack();
     response_header(c.time.n_probes, &o);
     putc('\n', o.f);
@@ -299,7 +313,6 @@ static void find_steady(const char *path)
 /* Steady states of many points. */
 static struct points points;
 static struct rows_file table;
-static int failed; /* whether a point had no result */
 
 static int deliver(int i, const struct outcome *p)
 {
@@ -312,7 +325,7 @@ static int deliver(int i, const struct outcome *p)
     } else {
         report(&p->why);
         response_print_none(c.time.n_probes, &table.out);
-        failed = 1;
+        table.failed = 1;
     }
     putc('\n', table.out.f);
     table.next = i + 1;
@@ -337,7 +350,8 @@ static void run_points(const char *path)
                                .c = &c,
                                .path = args.common.out,
                                .columns = input,
-                               .resume = args.resume};
+                               .resume = args.resume,
+                               .checkpoint = seconds()};
     must(rows_file_open(&table, &why), &why);
     if (!args.resume) {
         points_header(&points, &table.out);
@@ -368,8 +382,8 @@ static void judge_options(void)
         die(SW_USAGE, "--points looks for steady states already; --steady is for one");
     if (study && (args.energy || args.field || args.state))
         die(SW_USAGE, "--energy, --field and --state belong to a motion that is printed");
-    if (args.steady && args.resume)
-        die(SW_USAGE, "--steady has nothing to go on from");
+    if (args.steady && (args.resume || args.checkpoint > 0))
+        die(SW_USAGE, "--steady keeps no state: no --resume, no --checkpoint");
     if (args.threads > 0 && !args.points)
         die(SW_USAGE, "--threads belongs to --points");
     if (study && case_sweeps(&c))
@@ -403,5 +417,5 @@ int main(int argc, char **argv)
     modes_free(&modes);
     model_free(&model);
     case_free(&c);
-    return failed;
+    return table.failed;
 }

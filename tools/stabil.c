@@ -330,7 +330,8 @@ int main(int argc, char **argv)
                               .columns = args.trace    ? "trace"
                                          : args.growth ? "growth"
                                                        : "",
-                              .resume = args.resume};
+                              .resume = args.resume,
+                              .checkpoint = 60};
     must(rows_file_open(&file, &why), &why);
     if (args.answers) {
         run_answers(&file.out);

@@ -10,7 +10,8 @@
 /* What changes while a sweep goes on; the orbits' windows stand behind it. */
 struct curve_state {
     double slot, seed_slot;   /* of the present windows; negative: none yet */
-    double omega, start, end; /* sum over the samples; times of the first and last one */
+    double omega;      /* sum over the samples; in steps: of the last one */
+    double start, end; /* times of the first and last sample */
     double amplitude;         /* largest of the first lateral mode since the last look */
 };
 
@@ -136,7 +137,7 @@ static int print_row(struct curve *p, struct out *o)
     for (int i = 0; i < p->c->time.n_probes; i++)
         orbit_of(&w[i], &orbit[i]);
     fputs(sweep_direction(&p->c->sweep.sweep, middle) > 0 ? "up," : "down,", o->f);
-    out_number(o, s->omega / n);
+    out_number(o, p->c->sweep.sweep.rate > 0 ? s->omega / n : s->omega);
     putc(',', o->f);
     out_number(o, middle);
     orbit_print(orbit, p->c->time.n_probes, p->drive.order, p->drive.phase, o);
@@ -189,7 +190,10 @@ int curve_mark(struct curve *p, struct march *m, struct out *o)
             model_probe(p->model, p->c->time.probe[i], m->V, v, &tension);
             orbit_add(&windows(p)[i], phase, v, tension);
         }
-        s->omega += omega;
+        if (steps) /* the end of a dwell belongs to it */
+            sweep_at(sweep, t * (1 - 1e-12), &phase, &s->omega, &rate);
+        else
+            s->omega += omega;
         s->end = t;
     }
     seed(p, m, phase);

@@ -10,8 +10,9 @@
 #define LOOK 1024 /* steps of the lanes between two looks at signals */
 
 /* Points that can share lanes: the same nonlinear terms, and beta > 0 or not.  Class 0: those that
- * march by themselves. */
-enum { ALONE, CLASSES = 9 };
+ * march by themselves; the last one: those that cannot be used, done first, so that no row waits
+ * for them. */
+enum { ALONE, USELESS = 9, CLASSES };
 
 static int class_of(const struct cable_case *c)
 {
@@ -43,7 +44,7 @@ static int stopped(struct work *w)
 
 static void stop(struct work *w, enum status s)
 {
-#pragma omp critical(ensemble_deliver)
+#pragma omp critical(ensemble_files)
     {
         w->status = s;
 #pragma omp atomic write
@@ -76,7 +77,7 @@ static void finish(struct work *w, int i, const struct outcome *o)
         stop(w, SW_NOMEM);
         return;
     }
-#pragma omp critical(ensemble_deliver)
+#pragma omp critical(ensemble_files)
     {
         w->outcome[i] = copy;
         while (!more && w->delivered < w->e->points->n && w->outcome[w->delivered]) {
@@ -109,7 +110,7 @@ static enum status prepare(const struct ensemble *e, int i, struct flight *f)
 
     memset(f, 0, sizeof *f);
     f->point = i;
-#pragma omp critical(ensemble_prepare)
+#pragma omp critical(ensemble_files)
     {
         s = points_case(e->points, i, &f->c, &o->why);
         if (s == SW_OK)
@@ -130,8 +131,9 @@ static enum status prepare(const struct ensemble *e, int i, struct flight *f)
 static void locate(const struct ensemble *e, struct flight *f)
 {
     struct why old = f->outcome.why;
+    size_t length = strlen(e->points->name);
 
-    if (strncmp(old.text, e->points->name, strlen(e->points->name)) != 0)
+    if (strncmp(old.text, e->points->name, length) != 0 || old.text[length] != ':')
         fail(&f->outcome.why, f->outcome.status, "%.400s:%d: %.600s", e->points->name,
              e->points->point[f->point].line, old.text);
 }
@@ -156,12 +158,12 @@ static int interrupted(double share)
     return signals_pending();
 }
 
-static void fly_alone(struct work *w)
+static void fly_alone(struct work *w, int class)
 {
     struct flight f;
     int i;
 
-    while (!stopped(w) && (i = take(w, ALONE)) >= 0) {
+    while (!stopped(w) && (i = take(w, class)) >= 0) {
         if (prepare(w->e, i, &f) == SW_OK)
             f.outcome.status = response_find(&f.launch, &f.outcome.drive, interrupted,
                                              &f.outcome.response, &f.outcome.why);
@@ -278,22 +280,26 @@ static enum status fly_together(struct work *w, int class)
     return s;
 }
 
-/* Classes of all points, before any of them is run.  A point that cannot be used is alone. */
-static void classify(struct work *w)
+/* Classes of all points, before any of them is run.  SW_NOMEM. */
+static enum status classify(struct work *w)
 {
     const struct points *p = w->e->points;
 
     for (int i = w->e->first; i < p->n; i++) {
         struct cable_case c;
         struct why why;
+        enum status s = points_case(p, i, &c, &why);
 
-        w->class[i] = ALONE;
-        if (points_case(p, i, &c, &why) != SW_OK)
+        w->class[i] = USELESS;
+        if (s == SW_NOMEM)
+            return s;
+        if (s != SW_OK)
             continue;
         w->class[i] = (signed char)class_of(&c);
         w->n_motions = c.n_motions > w->n_motions ? c.n_motions : w->n_motions;
         case_free(&c);
     }
+    return SW_OK;
 }
 
 enum status ensemble_modes_wanted(const struct points *p, int *ret, struct why *why)
@@ -329,16 +335,18 @@ enum status ensemble_run(const struct ensemble *e, struct why *why)
     }
     for (int i = 0; i < CLASSES; i++)
         w.next[i] = e->first;
-    classify(&w);
-#pragma omp parallel num_threads(e->threads)
+    w.status = classify(&w);
+    w.stop = w.status != SW_OK;
+    fly_alone(&w, USELESS);
+#pragma omp parallel num_threads(e->threads) if (!w.stop)
     {
-        for (int class = 1; class < CLASSES; class ++) {
+        for (int class = 1; class < USELESS; class ++) {
             enum status s = fly_together(&w, class);
 
             if (s != SW_OK)
                 stop(&w, s);
         }
-        fly_alone(&w);
+        fly_alone(&w, ALONE);
     }
     for (size_t i = 0; i < n; i++)
         free(w.outcome[i]);

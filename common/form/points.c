@@ -127,9 +127,9 @@ enum status points_read(const char *path, const char *case_path, const struct op
     enum status s;
 
     *ret = (struct points){.case_path = case_path, .sets = sets};
-    if (strcmp(path, "-") == 0 && strcmp(case_path, "-") == 0)
+    if (strcmp(case_path, "-") == 0)
         return fail(why, SW_USAGE,
-                    "option --points: case and points cannot both be standard input");
+                    "option --points: the case is read again for each point: give it as a file");
     s = read_text(case_path, ret, why);
     if (s == SW_OK)
         s = read_table(path, ret, why);

@@ -390,7 +390,10 @@ static enum status resolve_scheme(const struct reading *r, struct time_plan *t)
 {
     if (t->scheme == SCHEME_ALPHA) {
         t->radius = isnan(t->radius) ? 0.8 : t->radius;
-        t->tolerance = isnan(t->tolerance) ? 2e-5 : t->tolerance;
+        if (t->step > 0 && !isnan(t->tolerance))
+            return keys_fail(r, "time", "tolerance", "belongs to step = auto");
+        if (!(t->step > 0) && isnan(t->tolerance))
+            t->tolerance = 2e-5;
     } else if (!isnan(t->radius)) {
         return keys_fail(r, "time", "radius", "belongs to scheme = alpha");
     } else if (!isnan(t->tolerance)) {

@@ -7,6 +7,7 @@
 
 #define PERIODS 2000  /* for which a steady state is looked for without time.end */
 #define MULTIPLE 1e-9 /* of a frequency: how far another may be from its multiple */
+#define ORBIT_CELLS 24
 
 /* Take in one harmonic excitation: which direction a[3], by its largest component. */
 static void reference(const double a[3], const double phase[3], double omega, struct drive *d)
@@ -110,6 +111,7 @@ void response_take(const struct steady *s, const struct drive *d, double t, doub
 {
     *ret = (struct response){.kind = s->kind,
                              .period = s->period,
+                             .whole = s->blocks > 0,
                              .time = t,
                              .omega = d->omega,
                              .change = s->moving,
@@ -210,6 +212,12 @@ void response_header(int n_probes, struct out *o)
     orbit_header(n_probes, o);
 }
 
+static void empty_cells(int n, struct out *o)
+{
+    for (int i = 0; i < n; i++)
+        putc(',', o->f);
+}
+
 /* How the first probe moves down and up against what drives it. */
 static const char *phase_word(const struct response *r, const struct drive *d)
 {
@@ -226,16 +234,18 @@ void response_print(const struct response *r, const struct drive *d, int n_probe
     putc(',', o->f);
     if (r->kind == STEADY_PERIODIC && d->order > 0)
         fprintf(o->f, "1:%d", r->period);
-    fprintf(o->f, ",%s,%s", orbit_plane_name(r->orbit[0].plane), phase_word(r, d));
+    fprintf(o->f, ",%s,%s", r->whole ? orbit_plane_name(r->orbit[0].plane) : "", phase_word(r, d));
     cell(r->time, o);
     cell(r->omega, o);
     cell(isfinite(r->change) ? r->change : NAN, o);
     cell(r->slack_time >= 0 ? r->slack_time : NAN, o);
-    orbit_print(r->orbit, n_probes, d->order, d->phase, o);
+    if (r->whole)
+        orbit_print(r->orbit, n_probes, d->order, d->phase, o);
+    else
+        empty_cells(ORBIT_CELLS * n_probes, o);
 }
 
 void response_print_none(int n_probes, struct out *o)
 {
-    for (int i = 0; i < 7 + 24 * n_probes; i++)
-        putc(',', o->f);
+    empty_cells(7 + ORBIT_CELLS * n_probes, o);
 }

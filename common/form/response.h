@@ -29,6 +29,7 @@ double drive_interval(const struct drive *d);
 struct response {
     enum steady_kind kind;
     int period;
+    int whole; /* whether a block of periods was: else there is no orbit */
     double time, omega, change, slack_time; /* slack_time negative: never */
     struct orbit orbit[MAX_PROBES];
 };

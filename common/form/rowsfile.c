@@ -7,10 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CHECKPOINT 60 /* seconds */
-
 /* The state: a NumPy vector. */
-enum { VERSION, CASE_HIGH, CASE_LOW, NEXT, BYTES, N_STATE };
+enum { VERSION, CASE_HIGH, CASE_LOW, NEXT, BYTES, FAILED, N_STATE };
 
 static enum status read_state(struct rows_file *f, long *bytes, struct why *why)
 {
@@ -32,6 +30,7 @@ static enum status read_state(struct rows_file *f, long *bytes, struct why *why)
     if (s == SW_OK) {
         f->next = (long)a.data[NEXT];
         *bytes = (long)a.data[BYTES];
+        f->failed = a.data[FAILED] != 0;
     }
     npy_free(&a);
     return s;
@@ -57,7 +56,8 @@ enum status rows_file_open(struct rows_file *f, struct why *why)
 
 static enum status save(struct rows_file *f, struct why *why)
 {
-    double all[N_STATE] = {f->kind, 0, 0, (double)f->next, (double)out_bytes(&f->out)};
+    double all[N_STATE] = {(double)f->kind, 0, 0, (double)f->next, (double)out_bytes(&f->out),
+                           f->failed};
     enum status s = state_checksum(f->c, f->columns, &all[CASE_HIGH], &all[CASE_LOW], why);
     struct out o;
 
@@ -71,7 +71,7 @@ static enum status save(struct rows_file *f, struct why *why)
 
 enum status rows_file_checkpoint(struct rows_file *f, struct why *why)
 {
-    return f->state && state_due(&f->saved, CHECKPOINT) ? save(f, why) : SW_OK;
+    return f->state && state_due(&f->saved, (double)f->checkpoint) ? save(f, why) : SW_OK;
 }
 
 enum status rows_file_stop(struct rows_file *f, struct why *why)

@@ -16,9 +16,11 @@ struct rows_file {
     const char *path;           /* NULL or "-": stdout, which has no state */
     const char *columns;        /* options that make the columns, other input */
     int resume;
+    long checkpoint; /* seconds between two states */
     struct out out;
     char *state;  /* path of the state, NULL: there is none */
     long next;    /* frequencies or points done */
+    int failed;   /* whether one of them had no result; kept in the state */
     double saved; /* time of the last state */
 };
 
@@ -26,7 +28,7 @@ struct rows_file {
  * the state is of another case; else as out_open and out_resume. */
 enum status rows_file_open(struct rows_file *f, struct why *why);
 
-/* Save the state once a minute.  SW_WRITE. */
+/* Save the state if it is time for it.  SW_WRITE. */
 enum status rows_file_checkpoint(struct rows_file *f, struct why *why);
 
 /* Leave rows and state for a later run.  SW_WRITE. */

@@ -79,6 +79,8 @@ static void put_march(const struct march *m, double *all)
     all[STATE_SCALE] = p->scale;
     all[STATE_PAST] = p->past;
     all[STATE_SETTLED] = p->settled;
+    all[STATE_EVEN] = (double)p->even;
+    all[STATE_WORST] = p->worst;
 }
 
 static void take_march(const double *all, struct march *m)
@@ -97,6 +99,8 @@ static void take_march(const double *all, struct march *m)
     p->scale = all[STATE_SCALE];
     p->past = all[STATE_PAST];
     p->settled = all[STATE_SETTLED] != 0;
+    p->even = (long)all[STATE_EVEN];
+    p->worst = all[STATE_WORST];
 }
 
 enum status state_write(const char *path, const struct cable_case *c, const char *extra,

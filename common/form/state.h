@@ -32,6 +32,8 @@ enum state_head {
     STATE_SCALE,
     STATE_PAST,
     STATE_SETTLED,
+    STATE_EVEN,
+    STATE_WORST,
     STATE_HEAD = 40
 };
 

@@ -79,8 +79,8 @@ void band_solve_lower(const struct band_factor *F, double *x);
 void band_solve_upper(const struct band_factor *F, double *x);
 
 /* A := L D L^T in place, L unit lower, D on the diagonal; without LAPACK: for small matrices that
- * are factored often.  kd is BAND_COUNT_KD at most.  SW_INDEFINITE if a pivot is not positive; A is
- * then spoilt.  x := A^{-1} x by it. */
+ * are factored often.  kd is 3, 7 or 11.  SW_INDEFINITE if a pivot is not positive; A is then
+ * spoilt. x := A^{-1} x by it. */
 enum status band_factor_in_place(struct band *A);
 void band_solve_in_place(const struct band *A, double *x);
 

@@ -9,7 +9,9 @@
 
 #define NEWTON_STEPS 12
 #define CONVERGED 1e-7 /* last correction over the largest displacement; the next is its square */
-#define COARSEN 0.0625 /* of the tolerance: below, the step is doubled */
+#define ROOM 0.5       /* of the tolerance: what a longer step may be expected to need */
+#define EVEN 256       /* steps of one length before a longer one: more than a period */
+#define LITTLE 0.01    /* of ROOM: a longer step at once */
 
 /* Band += c b b^T, b within one element. */
 static void add_product(struct band *A, double c, const double *b)
@@ -40,11 +42,23 @@ static enum status new_matrices(struct march *m)
     return s;
 }
 
+static enum status new_vectors(struct march *m)
+{
+    struct alpha *p = m->alpha;
+    double **vector[] = {&p->W, &p->A, &p->V1, &p->W1, &p->A1, &p->Vm, &p->Wm, &p->Am, &p->R};
+
+    for (size_t i = 0; i < sizeof vector / sizeof *vector; i++) {
+        *vector[i] = model_vector(m->model);
+        if (!*vector[i])
+            return SW_NOMEM;
+    }
+    return SW_OK;
+}
+
 enum status alpha_new(struct march *m)
 {
     double r = m->options.radius;
     struct alpha *p = m->alpha = mem_zeroed(1, sizeof *p);
-    double **vector[] = {&p->W, &p->A, &p->V1, &p->W1, &p->A1, &p->Vm, &p->Wm, &p->Am, &p->R};
 
     if (!p)
         return SW_NOMEM;
@@ -55,12 +69,7 @@ enum status alpha_new(struct march *m)
     p->ticks = m->options.substeps > 0 ? m->options.substeps : ALPHA_FINEST;
     p->stride = m->options.substeps > 0 ? 1 : ALPHA_FINEST / 4;
     p->past = -1;
-    for (size_t i = 0; i < sizeof vector / sizeof *vector; i++) {
-        *vector[i] = model_vector(m->model);
-        if (!*vector[i])
-            return SW_NOMEM;
-    }
-    return new_matrices(m);
+    return new_vectors(m) == SW_OK ? new_matrices(m) : SW_NOMEM;
 }
 
 void alpha_free(struct alpha *p)
@@ -119,6 +128,7 @@ static void residual(struct march *m, double dt)
 {
     struct alpha *p = m->alpha;
     struct force_extremes seen;
+    double u[6], v[6], a[6], between = march_time(m) + (1 - p->af) * dt;
     int held[6];
 
     for (size_t i = 0; i < model_unknowns(m->model); i++) {
@@ -126,15 +136,17 @@ static void residual(struct march *m, double dt)
         p->Wm[i] = (1 - p->af) * p->W1[i] + p->af * p->W[i];
         p->Am[i] = (1 - p->am) * p->A1[i] + p->am * p->A[i];
     }
+    model_prescribed(m->model, held);
+    march_supports(m, between, u, v, a);
+    for (int i = 0; i < 6; i++) /* A of the free unknowns is that of (af - am) dt earlier */
+        p->Am[held[i]] = a[i];
     force_all(&m->forces, m->options.terms, p->Vm, p->R, &seen);
     if (forcing_any(&m->options.forcing))
-        forcing_subtract(m->model, &m->options.forcing, march_time(m) + (1 - p->af) * dt, p->Vm,
-                         p->Wm, p->R);
+        forcing_subtract(m->model, &m->options.forcing, between, p->Vm, p->Wm, p->R);
     band_multiply_add(&p->M, 1, p->Am, p->R);
     band_multiply_add(&p->C, 1, p->Wm, p->R);
     for (size_t i = 0; i < model_unknowns(m->model); i++)
         p->R[i] = -p->R[i];
-    model_prescribed(m->model, held);
     for (int i = 0; i < 6; i++)
         p->R[held[i]] = 0;
 }
@@ -202,40 +214,47 @@ static enum status step(struct march *m, double dt)
     return SW_NOCONV;
 }
 
-enum status alpha_settle(struct march *m)
+/* Acceleration of the present time itself, from M X = R - F - C W; spoils R and J. */
+static enum status accelerate(const struct march *m, double *X)
 {
     struct alpha *p = m->alpha;
-    size_t size = (size_t)p->M.n * (size_t)(p->M.kd + 1);
+    size_t size = (size_t)p->M.n * (size_t)(p->M.kd + 1), n = model_unknowns(m->model);
     double u[6], v[6], a[6];
     struct force_extremes seen;
+    struct force_table forces = m->forces; /* its work space is what changes */
     int held[6];
     enum status s;
 
-    if (p->settled)
-        return SW_OK;
     march_supports(m, march_time(m), u, v, a);
     model_prescribed(m->model, held);
-    memset(p->A, 0, sizeof *p->A * model_unknowns(m->model));
+    memset(X, 0, sizeof *X * n);
     for (int i = 0; i < 6; i++)
-        p->A[held[i]] = a[i];
-    force_all(&m->forces, m->options.terms, m->V, p->R, &seen);
+        X[held[i]] = a[i];
+    force_all(&forces, m->options.terms, m->V, p->R, &seen);
     if (forcing_any(&m->options.forcing))
         forcing_subtract(m->model, &m->options.forcing, march_time(m), m->V, p->W, p->R);
     band_multiply_add(&p->C, 1, p->W, p->R);
-    band_multiply_add(&p->M, 1, p->A, p->R);
-    for (size_t i = 0; i < model_unknowns(m->model); i++)
-        p->R[i] = -p->R[i];
+    band_multiply_add(&p->M, 1, X, p->R);
+    for (size_t i = 0; i < n; i++)
+        X[i] = -p->R[i];
     for (int i = 0; i < 6; i++)
-        p->R[held[i]] = a[i];
+        X[held[i]] = a[i];
     memcpy(p->J.a, p->M.a, size * sizeof *p->J.a);
     hold(m->model, &p->J);
     s = band_factor_in_place(&p->J);
-    if (s != SW_OK)
-        return s;
-    band_solve_in_place(&p->J, p->R);
-    memcpy(p->A, p->R, sizeof *p->A * model_unknowns(m->model));
-    p->settled = 1;
-    return SW_OK;
+    if (s == SW_OK)
+        band_solve_in_place(&p->J, X);
+    return s;
+}
+
+enum status alpha_settle(struct march *m)
+{
+    struct alpha *p = m->alpha;
+    enum status s = p->settled ? SW_OK : accelerate(m, p->A);
+
+    if (s == SW_OK)
+        p->settled = 1;
+    return s;
 }
 
 /* Error of the step that was tried, over what is allowed; 0 for fixed steps. */
@@ -249,6 +268,8 @@ static double error(const struct march *m, double dt)
     for (size_t i = 0; i < model_unknowns(m->model); i += 2)
         if (!(fabs(p->A1[i] - p->A[i]) <= most))
             most = fabs(p->A1[i] - p->A[i]);
+    if (most == 0) /* at rest, where the scale may be zero, too */
+        return 0;
     return fabs(p->b - 1.0 / 6) * dt * dt * most / (m->options.tolerance * p->scale);
 }
 
@@ -260,8 +281,64 @@ static void swap(double **a, double **b)
     *b = keep;
 }
 
-/* Take the tried step; the next one may be twice as long where it then ends on the interval's
- * grid. */
+/* The next number of ticks up and down in 1, 2, 3, 4, 6, 8, 12, ... */
+static long longer(long s)
+{
+    return s == 1 ? 2 : s % 3 == 0 ? s / 3 * 4 : s / 2 * 3;
+}
+
+static long shorter(long s)
+{
+    return s == 2 ? 1 : s % 3 == 0 ? s / 3 * 2 : s / 4 * 3;
+}
+
+/* Whether steps of so many ticks lead from here to the end of the interval. */
+static int fits(const struct alpha *p, long stride)
+{
+    return p->ticks % stride == 0 && p->tick % stride == 0;
+}
+
+static void set_stride(struct alpha *p, long stride)
+{
+    p->stride = stride;
+    p->worst = 0;
+    p->even = 0;
+}
+
+/* A longer step where it ends on the interval's grid and its error, which goes with the third
+ * power, leaves room.  By the worst of many steps: else their lengths would change to and fro
+ * within a period, and never alike, and a limit cycle would not quite be one. */
+static void lengthen(struct alpha *p)
+{
+    int judged = p->even >= EVEN && p->tick == 0; /* where all of them fit */
+    long next = p->stride;
+
+    for (int i = 0; i < 2; i++) {
+        double ratio, needs;
+
+        next = longer(next);
+        ratio = (double)next / (double)p->stride;
+        needs = p->worst * ratio * ratio * ratio;
+        if (fits(p, next) && needs <= (judged ? 1 : LITTLE) * ROOM) {
+            set_stride(p, next);
+            return;
+        }
+    }
+    if (judged)
+        set_stride(p, p->stride);
+}
+
+static void shorten(struct alpha *p)
+{
+    long next = p->stride;
+
+    do
+        next = shorter(next);
+    while (!fits(p, next));
+    set_stride(p, next);
+}
+
+/* Take the tried step. */
 static void accept(struct march *m, double error_seen)
 {
     struct alpha *p = m->alpha;
@@ -276,9 +353,10 @@ static void accept(struct march *m, double error_seen)
         p->row++;
     }
     m->step++;
-    if (m->options.substeps == 0 && error_seen < COARSEN && 2 * p->stride <= p->ticks &&
-        p->tick % (2 * p->stride) == 0)
-        p->stride *= 2;
+    p->worst = fmax(p->worst, error_seen);
+    p->even++;
+    if (m->options.substeps == 0)
+        lengthen(p);
 }
 
 enum status alpha_advance(struct march *m)
@@ -297,7 +375,7 @@ enum status alpha_advance(struct march *m)
         }
         if (m->options.substeps > 0 || p->stride == 1)
             return s == SW_OK ? SW_NOCONV : s;
-        p->stride /= 2;
+        shorten(p);
         p->rejected++;
         s = SW_OK;
     }
@@ -310,12 +388,13 @@ void alpha_support(const struct march *m, double ret[6])
     int held[6];
 
     model_prescribed(m->model, held);
+    accelerate(m, p->Am); /* cannot fail: M did not when the march settled */
     for (int i = 0; i < 6; i++) {
         int at = held[i];
 
         ret[i] = m->F[at];
         for (int j = at - p->M.kd; j <= at + p->M.kd; j++)
             if (j >= 0 && j < p->M.n)
-                ret[i] += band_get(&p->M, at, j) * p->A[j] + band_get(&p->C, at, j) * p->W[j];
+                ret[i] += band_get(&p->M, at, j) * p->Am[j] + band_get(&p->C, at, j) * p->W[j];
     }
 }

@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ROUND_OFF 1e-9 /* of an amplitude: changes below it may grow */
-#define STAND 0.02     /* of an amplitude: bounds that stand still, over thirds of the run */
+#define ROUND_OFF 1e-9                   /* of an amplitude: changes below it may grow */
+#define QUARTER (STEADY_SAMPLES * 3 / 4) /* sample of the earlier one of two looks in a period */
+#define STAND 0.02 /* of an amplitude: bounds that stand still, over thirds of the run */
 
 static size_t places(const struct steady *s)
 {
@@ -27,10 +28,10 @@ enum status steady_new(const struct model *m, const struct steady_options *o, st
 {
     size_t n = 3 * ((size_t)m->n + 1), probes = (size_t)o->n_probes;
 
-    *ret = (struct steady){.model = m, .options = *o};
+    *ret = (struct steady){.model = m, .options = *o, .moving = INFINITY};
     ret->least = mem_doubles(n);
     ret->greatest = mem_doubles(n);
-    ret->strobe = mem_doubles((STEADY_MOST_PERIODS + 1) * n);
+    ret->strobe = mem_doubles((STEADY_MOST_PERIODS + 1) * 2 * n);
     ret->window = mem_zeroed(probes, sizeof *ret->window);
     ret->orbit = mem_zeroed(probes, sizeof *ret->orbit);
     if (!ret->least || !ret->greatest || !ret->strobe || !ret->window || !ret->orbit) {
@@ -74,7 +75,7 @@ static void take_sample(struct steady *s, double phi, const double *V)
 
 static double *strobe_of(struct steady *s, long period)
 {
-    return s->strobe + places(s) * (size_t)(period % (STEADY_MOST_PERIODS + 1));
+    return s->strobe + 2 * places(s) * (size_t)(period % (STEADY_MOST_PERIODS + 1));
 }
 
 /* R_m,c and A_c at the end of a block, period number `now`. */
@@ -94,7 +95,7 @@ static void measure(struct steady *s, long now)
         const double *past = strobe_of(s, now > m ? now - m : now + 1);
 
         memset(s->change[m], 0, sizeof s->change[m]);
-        for (size_t i = 0; i < places(s); i++)
+        for (size_t i = 0; i < 2 * places(s); i++)
             s->change[m][i % 3] = fmax(s->change[m][i % 3], fabs(present[i] - past[i]));
     }
 }
@@ -187,10 +188,17 @@ static enum status end_block(struct steady *s, double t, long period, int *ret_d
         orbit_of(&s->window[p], &s->orbit[p]);
     begin_block(s);
     if (status == SW_OK && s->blocks >= 2 && t - 2 * length >= s->options.begin * (1 - 1e-12)) {
+        s->judged = 1;
         judge(s, old);
         *ret_done = s->kind != STEADY_NONE;
     }
     return status;
+}
+
+static void look(const struct steady *s, double *to, const double *V)
+{
+    for (size_t i = 0; i < places(s); i++)
+        to[i] = V[2 * i];
 }
 
 enum status steady_add(struct steady *s, double t, double phi, const double *V, int *ret_done)
@@ -200,11 +208,12 @@ enum status steady_add(struct steady *s, double t, double phi, const double *V, 
     *ret_done = 0;
     s->samples++;
     take_sample(s, phi, V);
+    period = (s->samples + STEADY_SAMPLES - 1) / STEADY_SAMPLES;
+    if (s->samples % STEADY_SAMPLES == QUARTER)
+        look(s, strobe_of(s, period) + places(s), V);
     if (s->samples % STEADY_SAMPLES != 0)
         return SW_OK;
-    period = s->samples / STEADY_SAMPLES;
-    for (size_t i = 0; i < places(s); i++)
-        strobe_of(s, period)[i] = V[2 * i];
+    look(s, strobe_of(s, period), V);
     return period % s->options.periods == 0 ? end_block(s, t, period, ret_done) : SW_OK;
 }
 
@@ -230,7 +239,7 @@ void steady_end(struct steady *s)
     long third = s->blocks / 3;
     double most = largest(s->amplitude);
 
-    if (s->kind != STEADY_NONE || third < 2 || !(s->moving > STAND))
+    if (s->kind != STEADY_NONE || third < 2 || !s->judged || !(s->moving > STAND))
         return;
     for (int c = 0; c < 3; c++) {
         double least[2], greatest[2];

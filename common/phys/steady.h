@@ -3,8 +3,9 @@
  * several.
  *
  * At the end of a block, with A_c the largest half span that component c has over all nodes in it,
- * and R_m,c the largest change of c at any node since m periods ago, the motion is periodic if, for
- * each component,
+ * and R_m,c the largest change of c at any node since m periods ago, there and a quarter of a
+ * period earlier (a motion at a fraction of the frequency may happen to pass through zero at one of
+ * them), the motion is periodic if, for each component,
  *
  *     |A_c - A_c before| <= tolerance A_c     and     R_m,c <= tolerance A_c,
  *
@@ -42,16 +43,18 @@ struct steady {
     long samples;                         /* so far */
     long blocks;                          /* so far */
     double *least, *greatest;             /* (n + 1, 3) of this block; owned */
-    double *strobe;                       /* (STEADY_MOST_PERIODS + 1, 3 (n + 1)) ring; owned */
+    double *strobe;                       /* (STEADY_MOST_PERIODS + 1, 2, 3 (n + 1)) ring; owned */
     struct orbit_window *window;          /* (n_probes); owned */
     struct orbit *orbit;                  /* (n_probes) of the last whole block; owned */
     double amplitude[3], before[3], peak; /* A_c of the last two blocks; largest of all */
     double change[STEADY_MOST_PERIODS + 1][3]; /* R_m,c of the last block */
     double *history;                           /* (room, 3) A_c of all blocks; owned */
     long room;
+    int judged; /* whether a block has been */
     enum steady_kind kind;
     int period;    /* m of STEADY_PERIODIC */
-    double moving; /* largest relative change of the last block: of amplitudes and by R_m */
+    double moving; /* largest relative change of the last block: of amplitudes and by R_m; else
+                    * infinite */
 };
 
 /* SW_NOMEM. */

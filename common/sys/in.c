@@ -28,9 +28,10 @@ enum status in_open(const char *path, struct in *ret, struct why *why)
         in_close(ret);
         return fail(why, SW_READ, "%s: is a directory; a file is expected", path);
     }
-    if (S_ISREG(st.st_mode) && n_seen < MAX_INPUTS) {
+    if (S_ISREG(st.st_mode) && n_seen < MAX_INPUTS && !in_was_read(&st)) {
         seen[n_seen].dev = st.st_dev;
         seen[n_seen++].ino = st.st_ino;
+        ret->noted = 1;
     }
     return SW_OK;
 }
@@ -45,8 +46,9 @@ void in_close(struct in *in)
 void in_close_replaceable(struct in *in)
 {
     in_close(in);
-    if (n_seen > 0)
+    if (in->noted)
         n_seen--;
+    in->noted = 0;
 }
 
 int in_was_read(const struct stat *st)

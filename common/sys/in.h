@@ -12,6 +12,7 @@
 struct in {
     FILE *f;
     const char *name; /* for messages: the path, or "<stdin>" */
+    int noted;        /* whether it is among the files remembered since this opening */
 };
 
 /* Open path for reading; "-" is stdin.  SW_READ: missing, a directory, no permission;

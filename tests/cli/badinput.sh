@@ -120,6 +120,33 @@ refuses 2 'node at a support' diffverf --set disturbance.node=2 \
 refuses 2 'three amplitudes of a mode' diffverf --set disturbance.mode=2 \
     --set 'disturbance.amplitude=0 0 1' stay.ini
 
+# Sweeps, steady states, the implicit scheme.  swept NAME ASSIGNMENT...
+swept()
+{
+    name=$1
+    shift
+    for assignment; do
+        shift
+        set -- "$@" --set "$assignment"
+    done
+    refuses 2 "$name" diffverf "$@" stay.ini
+}
+set_ 'radius' time.radius=0.5 diffverf
+set_ 'step tolerance' time.tolerance=1e-5 diffverf
+swept 'radius above 1' time.scheme=alpha time.radius=1.1
+swept 'tolerance beside a fixed step' time.scheme=alpha time.step=0.01 time.tolerance=1e-5
+swept 'a sweep without end' sweep.from=4 sweep.rate=0.1
+swept 'a sweep without beginning' sweep.to=4 sweep.rate=0.1
+swept 'a sweep that stands still' sweep.from=4 sweep.to=4 sweep.rate=0.1
+swept 'a sweep without rate' sweep.from=4 sweep.to=5
+swept 'rate and step' sweep.from=4 sweep.to=5 sweep.rate=0.1 sweep.step=0.1
+swept 'steps without dwell' sweep.from=4 sweep.to=5 sweep.step=0.1
+swept 'a window beyond the dwell' sweep.from=4 sweep.to=5 sweep.step=0.1 sweep.dwell=5 sweep.window=6
+swept 'too many steps' sweep.from=4 sweep.to=5 sweep.step=1e-12 sweep.dwell=5
+swept 'a seed below zero' sweep.from=4 sweep.to=5 sweep.rate=0.1 sweep.seed=-1
+set_ 'one period' steady.periods=1 diffverf
+set_ 'no tolerance' steady.tolerance=0 diffverf
+
 # What is given in place of the length, loads, dampers.
 sed '/^unstressed_length/d' stay.ini >open.ini
 # given NAME STATUS ASSIGNMENT...: of a case without a length.

@@ -40,6 +40,14 @@ runs 0 'diffverf --resume' checked diffverf --energy --field field.npy --state r
     $damper --set 'damper.direction=0 1 1' --set 'wind.speed=0 0 9' --set wind.drag_coefficient=1 \
     --set wind.diameter=0.1 --set force.position=all --set 'force.value=0 1 0' --set time.end=0.6 \
     -o all.csv stay.ini
+runs 0 'diffverf, a sweep' checked diffverf --set sweep.from=8 --set sweep.to=9 --set sweep.rate=2 \
+    --set time.end= -o sweep.csv stay.ini
+runs 0 'diffverf --steady, implicit' checked diffverf -q --steady --set time.scheme=alpha \
+    --set steady.periods=2 --set time.end=3 stay.ini
+printf 'motion deck.omega,damping.beta,time.scheme\n7.8,,\n7.9,0,\nx,,\n7.9,,alpha\n' >points.csv
+# one thread: what libgomp keeps for others is possibly lost
+runs 1 'diffverf --points' checked diffverf -q --threads 1 --points points.csv \
+    --set steady.periods=2 --set time.end=2 stay.ini
 runs 0 'stabil' checked stabil --change --set stability.ratio_step=0.2 stay.ini
 runs 0 'stabil, floquet' checked stabil --growth --set stability.method=floquet \
     --set stability.ratio_step=0.4 --set stability.amplitude_step=0.05 stay.ini

@@ -17,6 +17,12 @@ cp "$top/scripts/experiments/lifts/cases.csv" lifts.csv
 cp -r "$top/scripts/experiments/nets/mooring" net
 gapnet -d solved --rope chain --set solve.elements=2 net/system.ini
 printf 'type,v_m,z_m,z_m_tol,phi_deg\nprimary,6,2,0.2,30\n' >lift.csv
+cat >points.csv <<END
+name,motion deck.omega,damping.beta,time.scheme
+a,7.8,,
+"b, 2",7.9,0,
+c,7.9,,alpha
+END
 
 # Until the file has content, ten seconds at most.
 wait_for()
@@ -35,6 +41,13 @@ run()
     catenary) catenary -o result/out.csv stay.ini ;;
     modal) modal -d result/model -o result/out.csv stay.ini ;;
     diffverf) diffverf -d whole -o result/out.csv --set disturbance.mode=1 \
+        --set disturbance.amplitude=0.01 stay.ini ;;
+    sweep) diffverf -o result/out.csv --set sweep.from=8 --set sweep.to=9 --set sweep.rate=1 \
+        --set time.end= --set time.scheme=alpha stay.ini ;;
+    steady) diffverf -d whole -q --steady -o result/out.csv --set steady.periods=2 \
+        --set time.end=3 --set disturbance.mode=1 --set disturbance.amplitude=0.01 stay.ini ;;
+    points) diffverf -d whole -q --threads 1 --points points.csv -o result/out.csv \
+        --set steady.periods=2 --set time.end=2 --set disturbance.mode=1 \
         --set disturbance.amplitude=0.01 stay.ini ;;
     print) catenary --print-case -o result/out.csv stay.ini ;;
     sling) sling -o result/out.csv --set name=x lifts.csv ;;
@@ -103,8 +116,8 @@ output()
 }
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
-    for tool in catenary modal diffverf print table stiffness sling lift exact lever contour gapnet \
-        gapnodes gapcheck; do
+    for tool in catenary modal diffverf sweep steady points print table stiffness sling lift exact \
+        lever contour gapnet gapnodes gapcheck; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done

@@ -6,7 +6,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    struct in in = {bytes(data, size), "fuzz"};
+    struct in in = {.f = bytes(data, size), .name = "fuzz"};
     struct csv csv;
     struct why why;
     int line = 0;

@@ -4,7 +4,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    struct in in = {bytes(data, size), "fuzz"};
+    struct in in = {.f = bytes(data, size), .name = "fuzz"};
     struct npy a;
     struct why why;
 

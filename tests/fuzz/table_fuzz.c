@@ -31,7 +31,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static struct cable_case c;
     struct opt_list sets = {NULL, 0};
-    struct in in = {bytes(data, size), "fuzz"};
+    struct in in = {.f = bytes(data, size), .name = "fuzz"};
     struct table t;
     struct why why = {""};
     enum status s = SW_OK;

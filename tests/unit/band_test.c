@@ -56,6 +56,50 @@ static void products_and_solutions(void **state)
         }
 }
 
+/* The factor in place is that of Cholesky: same solutions, same L and D; matrices smaller than
+ * their band, too.  An indefinite one, and one with a NaN, are refused. */
+static void factors_in_place(void **state)
+{
+    const int kd[] = {3, 7, 11}, order[] = {1, 2, 5, 12, 13, 40};
+    (void)state;
+
+    for (int k = 0; k < 3; k++)
+        for (int o = 0; o < 6; o++) {
+            int n = order[o];
+            struct band A = random_band(n, kd[k]);
+            struct band_factor F;
+            double x[40], y[40], z[40];
+
+            for (int i = 0; i < n; i++)
+                x[i] = uniform_in(&seed, -1, 1);
+            dense_multiply(&A, x, y);
+            for (int i = 0; i < n; i++)
+                z[i] = y[i];
+            assert_int_equal(band_cholesky(&A, &F), SW_OK);
+            band_solve(&F, y);
+            assert_int_equal(band_factor_in_place(&A), SW_OK);
+            band_solve_in_place(&A, z);
+            for (int i = 0; i < n; i++) {
+                near_abs(z[i], x[i], 1e-14);
+                near_abs(z[i], y[i], 1e-14);
+                near_rel(*band_at(&A, i, i), 1 / F.inverse[i], 1e-14);
+                for (int j = i > kd[k] ? i - kd[k] : 0; j < i; j++)
+                    near_abs(*band_at(&A, i, j), F.row[kd[k] * (i + 1) - (i - j)], 1e-15);
+            }
+            band_factor_free(&F);
+            band_free(&A);
+            for (int bad = 0; bad < 3; bad++) {
+                A = random_band(n, kd[k]);
+                *band_at(&A, n - 1, n - 1) = bad == 0 ? -1 : bad == 1 ? 0 : NAN;
+                if (bad == 1 &&
+                    n > 1) /* 0 on the diagonal is indefinite only with something beside */
+                    *band_at(&A, n - 1, n - 2) = 0.5;
+                assert_int_equal(band_factor_in_place(&A), SW_INDEFINITE);
+                band_free(&A);
+            }
+        }
+}
+
 static void blocks_combinations_restrictions(void **state)
 {
     const double E[4] = {1, 2, 2, 5};
@@ -180,7 +224,7 @@ static void memory_runs_out(void **state)
     band_free(&M);
 }
 
-TEST_MAIN(cmocka_unit_test(products_and_solutions),
+TEST_MAIN(cmocka_unit_test(products_and_solutions), cmocka_unit_test(factors_in_place),
           cmocka_unit_test(blocks_combinations_restrictions),
           cmocka_unit_test(indefinite_is_refused), cmocka_unit_test(chain_of_masses),
           cmocka_unit_test(wide_spectrum), cmocka_unit_test(memory_runs_out))

@@ -250,7 +250,7 @@ static void unreadable(void **state)
     struct file f;
     (void)state;
 
-    f.in = (struct in){fopen("/", "rb"), "test"};
+    f.in = (struct in){.f = fopen("/", "rb"), .name = "test"};
     assert_non_null(f.in.f);
     assert_int_equal(csv_begin(&f.in, &f.csv, &why), SW_OK);
     assert_int_equal(csv_row(&f.csv, &why), SW_READ);

@@ -255,7 +255,7 @@ static void no_npy(void **state)
 
 static void unreadable(void **state)
 {
-    struct in in = {fopen("/", "rb"), "test"};
+    struct in in = {.f = fopen("/", "rb"), .name = "test"};
     struct npy a;
     (void)state;
 
@@ -271,7 +271,7 @@ static void round_trip(int dims, size_t rows, size_t columns)
     size_t n = rows * columns;
     double *data = malloc((n + 1) * sizeof *data);
     struct out o = {.f = tmpfile(), .slot = -1};
-    struct in in = {o.f, "test"};
+    struct in in = {.f = o.f, .name = "test"};
     char start[129] = "";
     struct npy a;
 

@@ -257,7 +257,7 @@ static void long_cells(void **state)
 
 static void unreadable(void **state)
 {
-    struct file f = {.in = {fopen("/", "rb"), "test"}};
+    struct file f = {.in = {.f = fopen("/", "rb"), .name = "test"}};
     struct opt_list sets = {NULL, 0};
     (void)state;
 
