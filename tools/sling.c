@@ -386,7 +386,7 @@ int main(int argc, char **argv)
     struct lift_table t;
     struct asked asked;
     struct out o;
-    struct in in = {NULL, NULL};
+    struct in in = {.f = NULL};
     struct why why;
     int operand, all = 1, alone;
 

@@ -38,7 +38,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     const char *set = "z_m_tol=0.01";
     struct opt_list sets = {&set, 1};
-    struct in in = {bytes(data, size), "fuzz"};
+    struct in in = {.f = bytes(data, size), .name = "fuzz"};
     struct lift_table t;
     struct lift_given g;
     struct lift l;
