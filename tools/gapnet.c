@@ -1,6 +1,7 @@
 /* gapnet: equilibrium of systems of ropes and nets by the gap method. */
 #include "form/netfiles.h"
 #include "form/start.h"
+#include "num/mem.h"
 #include "sys/number.h"
 
 #include <math.h>
@@ -131,7 +132,14 @@ static double verify(void)
     struct net_state second;
     struct why why;
     double most = 0;
-    enum status s = net_solve(&all.net, &o, &second);
+    struct net again = all.net; /* ropes keep some of their state */
+    enum status s;
+
+    again.rope = mem_copy(all.net.rope, sizeof *again.rope * (size_t)again.m);
+    if (!again.rope)
+        die(SW_NOMEM, "%s", status_text(SW_NOMEM));
+    s = net_solve(&again, &o, &second);
+    free(again.rope);
 
     if (s != SW_OK) {
         explain(s, other, &second, &why);

@@ -9,6 +9,8 @@
 #include <string.h>
 
 #define SLACK 1e-8 /* of the largest tension: of less, only the length is judged */
+#define SMALL_STRAIN 1e-6 /* a system that strains its softest rope by less carries nothing */
+#define SMALL_PART 1e-5   /* of the largest load: where springs and floats carry it */
 #define DEEPEST 48 /* halvings of a piece */
 
 enum {
@@ -231,6 +233,7 @@ static void tables_free(struct tables *p)
 static void measure(const struct tables *p, struct net_proof *ret)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double softest = INFINITY, load = 0;
 
     for (int k = 0; k < p->shapes.n; k++) {
         ret->tension = fmax(ret->tension, size(p->t + 3 * k));
@@ -239,6 +242,11 @@ static void measure(const struct tables *p, struct net_proof *ret)
             high[c] = fmax(high[c], p->point[3 * k + c]);
         }
     }
+    for (int r = 0; r < p->ropes.n; r++)
+        softest = fmin(softest, p->EA[r]);
+    for (int i = 0; i < 3 * p->nodes.n; i++)
+        load = fmax(load, fabs(p->sum[i]));
+    ret->force = fmax(ret->tension, fmax(SMALL_STRAIN * softest, SMALL_PART * load));
     for (int c = 0; c < 3 && p->shapes.n > 0; c++)
         ret->size = fmax(ret->size, high[c] - low[c]);
     for (int r = 0; r < p->ropes.n; r++)
@@ -247,9 +255,9 @@ static void measure(const struct tables *p, struct net_proof *ret)
 
 static void keep_worst(double now, double *most, const char *name, char to[PROOF_NAME])
 {
-    if (now <= *most)
+    if (now <= *most || isnan(*most))
         return;
-    *most = now;
+    *most = now; /* also one that is no number, which stays */
     snprintf(to, PROOF_NAME, "%s", name);
 }
 
@@ -261,7 +269,7 @@ static void prove_nodes(struct tables *p, struct net_proof *ret)
             p->sum[3 * p->b[r] + c] -= p->tb[3 * r + c];
         }
     for (int i = 0; i < p->nodes.n; i++)
-        keep_worst(size(p->sum + 3 * i) / ret->tension, &ret->unbalance,
+        keep_worst(size(p->sum + 3 * i) / ret->force, &ret->unbalance,
                    sheet_text(&p->nodes, i, NODE), ret->node);
 }
 
@@ -277,11 +285,11 @@ static void prove_joints(const struct tables *p, int r, struct net_proof *ret)
 
         for (int c = 0; c < 3; c++)
             open[c] = before[c] - (k > first ? p->load[3 * k + c] : 0) - p->t[3 * k + c];
-        keep_worst(size(open) / ret->tension, &ret->joint, name, ret->rope);
+        keep_worst(size(open) / ret->force, &ret->joint, name, ret->rope);
     }
     for (int c = 0; c < 3; c++)
         open[c] = p->t[3 * last + c] - p->tb[3 * r + c];
-    keep_worst(size(open) / ret->tension, &ret->joint, name, ret->rope);
+    keep_worst(size(open) / ret->force, &ret->joint, name, ret->rope);
 }
 
 /* (1/T + 1/EA) t at u = 0..1 between two tensions. */
@@ -318,6 +326,15 @@ static void integrate(const double t1[3], const double t2[3], double EA, double 
     integrate(t1, t2, EA, u + h / 2, h / 2, depth - 1, ret);
 }
 
+/* Stretched length of the piece of rope r from point k, if it were straight. */
+static double reach(const struct tables *p, int r, int k)
+{
+    double length = p->s[k + 1] - p->s[k];
+    double T = fmax(size(p->t + 3 * k), size(p->t + 3 * (k + 1)));
+
+    return length * (1 + (p->elements[r] > 0 ? p->strain[k] : T / p->EA[r]));
+}
+
 /* Where the piece of rope r from point k leads; 0: it carries nothing and leads anywhere within its
  * length. */
 static int piece(const struct tables *p, int r, int k, double tension, double ret[3])
@@ -349,8 +366,8 @@ static double prove_bar(const struct tables *p, int r, double tension)
     l = size(d);
     N = p->EA[r] * (l / p->L0[r] - 1);
     for (int c = 0; c < 3; c++)
-        across[c] = t[c] - N * d[c] / l;
-    return size(across) / tension;
+        across[c] = t[c] - (l > 0 ? N * d[c] / l : 0);
+    return (l > 0 ? size(across) : fabs(N)) / tension; /* no length: it can push nowhere */
 }
 
 static void prove_shape(const struct tables *p, int r, struct net_proof *ret)
@@ -363,12 +380,12 @@ static void prove_shape(const struct tables *p, int r, struct net_proof *ret)
 
         for (int c = 0; c < 3; c++)
             d[c] = p->point[3 * (k + 1) + c] - p->point[3 * k + c];
-        if (piece(p, r, k, ret->tension, lead)) {
+        if (piece(p, r, k, ret->force, lead)) {
             for (int c = 0; c < 3; c++)
                 open[c] = d[c] - lead[c];
             far = size(open);
         } else {
-            far = fmax(0, size(d) - (p->s[k + 1] - p->s[k]));
+            far = fmax(0, size(d) - reach(p, r, k));
         }
         keep_worst(far / ret->size, &ret->gap, name, ret->gap_rope);
     }
@@ -408,7 +425,7 @@ enum status net_prove(const char *dir, struct net_proof *ret, struct why *why)
         for (int r = 0; r < p.ropes.n; r++) {
             prove_joints(&p, r, ret);
             if (p.elements[r] == 1)
-                keep_worst(prove_bar(&p, r, ret->tension), &ret->joint,
+                keep_worst(prove_bar(&p, r, ret->force), &ret->joint,
                            sheet_text(&p.ropes, r, ROPE), ret->rope);
             else
                 prove_shape(&p, r, ret);
