@@ -9,7 +9,7 @@
 #include <string.h>
 
 #define SLACK 1e-8 /* of the largest tension: of less, only the length is judged */
-#define SMALL_STRAIN 1e-6 /* a system that strains its softest rope by less carries nothing */
+#define SMALL_STRAIN 1e-5 /* a system that strains its softest rope by less carries nothing */
 #define SMALL_PART 1e-5   /* of the largest load: where springs and floats carry it */
 #define DEEPEST 48 /* halvings of a piece */
 

@@ -503,20 +503,42 @@ static enum status iterate_smoothly(struct net *net, const struct net_options *o
     return status;
 }
 
+/* On to a tenth of the smoothing: what is small goes with it, so that the change since ten times it
+ * tells the next one.  x and t, tensions at ends, are from there; now they become those of s. */
+static void foresee(const struct net *net, int known, double *x, double *t, struct net_state *s)
+{
+    for (int i = 0; i < 3 * net->n; i++) {
+        double now = s->x[i];
+
+        s->x[i] += known ? (now - x[i]) / 10 : 0;
+        x[i] = now;
+    }
+    for (int i = 0; i < 3 * net->m; i++) {
+        double now = s->t[i] + net->rope[i / 3].rope.offset[i % 3];
+
+        s->t[i] += known && !net_is_bar(&net->rope[i / 3]) ? (now - t[i]) / 10 : 0;
+        t[i] = now;
+    }
+}
+
 /* From a solution with rough smoothing to one that leaves next to nothing in slack elements. */
 static enum status sharpen(struct net *net, const struct net_options *o, struct net_work *w,
                            struct net_state *s)
 {
-    enum status status = SW_OK;
+    double *x = mem_doubles(3 * (size_t)net->n), *t = mem_doubles(3 * (size_t)net->m);
+    enum status status = x && t ? SW_OK : SW_NOMEM;
 
     for (double part = ROUGH / 10; part > SHARP / 2 && status == SW_OK; part /= 10) {
         int last = s->steps + SHARPEN;
 
+        foresee(net, part < ROUGH / 20, x, t, s);
         net_smooth(net, part, w->reference, 0);
         status = iterate(net, o, o->tolerance, last < o->steps ? last : o->steps, INT_MAX, w, s);
         if (status == SW_NOCONV && part > 2 * SHARP)
             status = SW_OK;
     }
+    free(x);
+    free(t);
     return status;
 }
 

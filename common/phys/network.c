@@ -210,11 +210,15 @@ double net_reference(const struct net *net)
 
 void net_smooth(struct net *net, double part, double reference, double least)
 {
+    double small = reference;
+
+    for (int r = 0; r < net->m; r++)
+        small = fmin(small, net->rope[r].rope.law.EA / 1000);
     for (int r = 0; r < net->m; r++) {
         struct rope *p = &net->rope[r].rope;
         double load = norm(p->q) * p->L0;
 
-        p->epsilon = fmax(least, part * (load > WEIGHTLESS * reference ? load : reference));
+        p->epsilon = fmax(least, part * (load > WEIGHTLESS * reference ? load : small));
     }
 }
 

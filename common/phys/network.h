@@ -45,7 +45,7 @@ double net_size(const struct net *net);
 double net_reference(const struct net *net);
 
 /* Set epsilon of all ropes: this part of a rope's load, or, where that is next to none, of the
- * reference force; but not below `least` [N]. */
+ * reference force or a thousandth of the softest rope's EA; but not below `least` [N]. */
 void net_smooth(struct net *net, double part, double reference, double least);
 
 /* Chord, stiffness and gap of all ropes and residual of all nodes at x and t. */

@@ -61,7 +61,7 @@ static double lacking(const struct net *net, const struct net_state *s, int r, d
  * largest gap of a rope over the size. */
 static void judge(const struct net *net, const struct net_state *s, double *unbalance, double *gap)
 {
-    double sum[3 * MOST] = {0}, most = 0;
+    double sum[3 * MOST] = {0}, most = 0, softest = INFINITY;
 
     *unbalance = *gap = 0;
     for (int i = 0; i < net->n; i++)
@@ -83,8 +83,10 @@ static void judge(const struct net *net, const struct net_state *s, double *unba
                 *gap = fmax(*gap, fabs(open) / s->size);
         }
     }
+    for (int r = 0; r < net->m; r++) /* nothing pulls: strains of 1e-5 are still something */
+        softest = fmin(softest, net->rope[r].rope.law.EA);
     for (int r = 0; r < net->m; r++)
-        *gap = fmax(*gap, lacking(net, s, r, most));
+        *gap = fmax(*gap, lacking(net, s, r, fmax(most, 1e-5 * softest)));
     for (int i = 0; i < 3 * net->n; i++)
         if (!(net->node[i / 3].held & 1 << i % 3))
             *unbalance = fmax(*unbalance, fabs(sum[i]) / most);
