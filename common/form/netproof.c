@@ -28,7 +28,7 @@ static const struct sheet_column node_column[N_NODE] = {
     {"fy_N", 1},     {"fz_N", 1},        {"residual_N", 1},  {"load_x_N", 1},    {"load_y_N", 1},
     {"load_z_N", 1}, {"support_x_N", 1}, {"support_y_N", 1}, {"support_z_N", 1}, {"held", 1}};
 
-enum { ROPE, END_A = 7, END_B = 10, A = 13, B, UNSTRETCHED, ELEMENTS, STIFFNESS, N_ROPE = 21 };
+enum { ROPE, END_A = 7, END_B = 10, A = 13, B, UNSTRETCHED, ELEMENTS, STIFFNESS, LAW = 21, N_ROPE };
 static const struct sheet_column rope_column[N_ROPE] = {{"rope", 1},
                                                         {"tension_a_N", 1},
                                                         {"tension_b_N", 1},
@@ -49,7 +49,8 @@ static const struct sheet_column rope_column[N_ROPE] = {{"rope", 1},
                                                         {"ea_N", 1},
                                                         {"use", 0},
                                                         {"lowest_z_m", 0},
-                                                        {"remark", 0}};
+                                                        {"remark", 0},
+                                                        {"law", 1}};
 
 enum {
     SHAPE_ROPE,
@@ -76,6 +77,7 @@ struct tables {
     double *s, *strain;       /* (points) */
     int *a, *b, *first;       /* (ropes): nodes, first point; (ropes + 1) of the last */
     double *L0, *EA;
+    int *hooke; /* (ropes): strain is tension over EA; else as the table of shapes has it */
     int *elements;
 };
 
@@ -138,10 +140,31 @@ static enum status take_ropes(struct tables *p, struct why *why)
             s = numbers(&p->ropes, r, ELEMENTS, 1, &elements, why);
         if (s == SW_OK)
             s = numbers(&p->ropes, r, STIFFNESS, 1, &p->EA[r], why);
+        if (s == SW_OK && !(elements >= 0 && elements <= 1e6 && elements == floor(elements)))
+            s = sheet_fail(why, &p->ropes, r, "elements must be a whole number");
+        if (s == SW_OK && !(p->L0[r] > 0 && p->EA[r] > 0))
+            s = sheet_fail(why, &p->ropes, r, "its length or stiffness is not positive");
         p->elements[r] = s == SW_OK ? (int)elements : 0;
+        p->hooke[r] = strcmp(sheet_text(&p->ropes, r, LAW), "hooke") == 0;
     }
     free(index.row);
     return s;
+}
+
+/* The points of rope r cover its length, element by element. */
+static enum status whole_rope(const struct tables *p, int r, struct why *why)
+{
+    int first = p->first[r], last = p->first[r + 1] - 1, n = p->elements[r];
+
+    if (last == first || (n > 0 && last - first != n))
+        return sheet_fail(why, &p->shapes, last, "the rope has another number of elements");
+    for (int k = first; k <= last; k++) {
+        double s = n > 0 ? p->L0[r] / n * (k - first) : k == first ? 0 : p->L0[r];
+
+        if ((n > 0 || k == first || k == last) && !(fabs(p->s[k] - s) <= 1e-12 * p->L0[r]))
+            return sheet_fail(why, &p->shapes, k, "s_m does not belong to the rope's length");
+    }
+    return SW_OK;
 }
 
 /* Points stand in the order of the ropes. */
@@ -175,6 +198,8 @@ static enum status take_points(struct tables *p, struct why *why)
     if (s == SW_OK && r != p->ropes.n - 1)
         s = fail(why, SW_FORMAT, "%.400s: %d ropes; there are %d", p->shapes.name, r + 1,
                  p->ropes.n);
+    for (r = 0; r < p->ropes.n && s == SW_OK; r++)
+        s = whole_rope(p, r, why);
     return s;
 }
 
@@ -212,8 +237,9 @@ static enum status make_room(struct tables *p, struct why *why)
     p->b = mem_zeroed(m, sizeof *p->b);
     p->first = mem_zeroed(m + 1, sizeof *p->first);
     p->elements = mem_zeroed(m, sizeof *p->elements);
+    p->hooke = mem_zeroed(m, sizeof *p->hooke);
     return p->x && p->sum && p->ta && p->tb && p->point && p->load && p->t && p->s && p->strain &&
-                   p->L0 && p->EA && p->a && p->b && p->first && p->elements
+                   p->L0 && p->EA && p->a && p->b && p->first && p->elements && p->hooke
                ? SW_OK
                : fail_plain(why, SW_NOMEM);
 }
@@ -221,7 +247,8 @@ static enum status make_room(struct tables *p, struct why *why)
 static void tables_free(struct tables *p)
 {
     void *const all[] = {p->x,      p->sum, p->ta, p->tb, p->point, p->load,  p->t,       p->s,
-                         p->strain, p->L0,  p->EA, p->a,  p->b,     p->first, p->elements};
+                         p->strain, p->L0,  p->EA, p->a,  p->b,     p->first, p->elements,
+                         p->hooke};
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);
@@ -365,6 +392,8 @@ static double prove_bar(const struct tables *p, int r, double tension)
         d[c] = b[c] - a[c];
     l = size(d);
     N = p->EA[r] * (l / p->L0[r] - 1);
+    if (!p->hooke[r] && l > p->L0[r]) /* tension by a table: only its direction and strain tell */
+        N = size(t) + p->EA[r] * (l / p->L0[r] - 1 - p->strain[p->first[r]]);
     for (int c = 0; c < 3; c++)
         across[c] = t[c] - (l > 0 ? N * d[c] / l : 0);
     return (l > 0 ? size(across) : fabs(N)) / tension; /* no length: it can push nowhere */
@@ -387,6 +416,9 @@ static void prove_shape(const struct tables *p, int r, struct net_proof *ret)
         } else {
             far = fmax(0, size(d) - reach(p, r, k));
         }
+        if (p->elements[r] > 0 && p->hooke[r])
+            far = fmax(far, fabs(p->strain[k] - size(p->t + 3 * k) / p->EA[r]) *
+                                (p->s[k + 1] - p->s[k]));
         keep_worst(far / ret->size, &ret->gap, name, ret->gap_rope);
     }
     for (int end = 0; end < 2; end++) {
