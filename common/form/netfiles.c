@@ -148,10 +148,10 @@ void net_print_ropes(const struct system *p, const struct net_state *s, struct o
             out_number(o, most / breaking);
         cells(&low, 1, o);
         fprintf(o->f, ",%s,%s\n",
-                bar && most < 0                 ? "compression"
-                : most > breaking               ? "over its breaking load"
-                : fabs(most) <= slack   ? "slack"
-                                                : "",
+                bar && most < 0       ? "compression"
+                : most > breaking     ? "over its breaking load"
+                : fabs(most) <= slack ? "slack"
+                                      : "",
                 rope->rope.law.n > 0 ? "table" : "hooke");
     }
 }

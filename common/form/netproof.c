@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SLACK 1e-8 /* of the largest tension: of less, only the length is judged */
+#define SLACK 1e-8        /* of the largest tension: of less, only the length is judged */
 #define SMALL_STRAIN 1e-5 /* a system that strains its softest rope by less carries nothing */
 #define SMALL_PART 1e-5   /* of the largest load: where springs and floats carry it */
-#define DEEPEST 48 /* halvings of a piece */
+#define DEEPEST 48        /* halvings of a piece */
 
 enum {
     NODE,
@@ -246,9 +246,9 @@ static enum status make_room(struct tables *p, struct why *why)
 
 static void tables_free(struct tables *p)
 {
-    void *const all[] = {p->x,      p->sum, p->ta, p->tb, p->point, p->load,  p->t,       p->s,
-                         p->strain, p->L0,  p->EA, p->a,  p->b,     p->first, p->elements,
-                         p->hooke};
+    void *const all[] = {p->x, p->sum,   p->ta,       p->tb,   p->point, p->load,
+                         p->t, p->s,     p->strain,   p->L0,   p->EA,    p->a,
+                         p->b, p->first, p->elements, p->hooke};
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);
@@ -457,8 +457,8 @@ enum status net_prove(const char *dir, struct net_proof *ret, struct why *why)
         for (int r = 0; r < p.ropes.n; r++) {
             prove_joints(&p, r, ret);
             if (p.elements[r] == 1)
-                keep_worst(prove_bar(&p, r, ret->force), &ret->joint,
-                           sheet_text(&p.ropes, r, ROPE), ret->rope);
+                keep_worst(prove_bar(&p, r, ret->force), &ret->joint, sheet_text(&p.ropes, r, ROPE),
+                           ret->rope);
             else
                 prove_shape(&p, r, ret);
         }

@@ -590,6 +590,8 @@ static enum status conclude(const struct net *net, const struct net_options *o, 
         if (net_is_bar(&net->rope[r]))
             memcpy(ret->t + 3 * r, w->bar + 3 * r, 3 * sizeof *ret->t);
     end = net_measure(net, ret->t, w, ret);
+    end.factor = ret->step[ret->steps].factor;
+    ret->step[ret->steps] = end; /* what there is, by whatever method */
     return is_met(&end, ret, o->tolerance) ? SW_OK : SW_NOCONV;
 }
 

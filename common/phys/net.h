@@ -78,7 +78,8 @@ struct net_state {
  * something held.  *ret_at: the rope or node that they are about. */
 const char *net_refused(const struct net *net, int *ret_is_rope, int *ret_at);
 
-/* Find the equilibrium; sets the ropes' epsilon and offset, which belong to the state.  SW_NOCONV: bounds not met, the state is the best
+/* Find the equilibrium; sets the ropes' epsilon and offset, which
+ * belong to the state.  SW_NOCONV: bounds not met, the state is the best
  * one found; SW_INDEFINITE: a mechanism, ret->worst is free to move; SW_ADMISSIBLE: the method does
  * not apply; SW_NOMEM. */
 enum status net_solve(struct net *net, const struct net_options *o, struct net_state *ret);

@@ -33,7 +33,7 @@ struct rope {
     double q[3];        /* uniform load [N] per unstretched metre */
     const double *load; /* (elements - 1, 3) at the joints [N], in place of q, or NULL; not owned */
     double epsilon;     /* [N], > 0 */
-    double offset[3];   /* of a chain: tension at a less the t that stands for it [N]; 0: t is that */
+    double offset[3];   /* of a chain: tension at a less the t that stands for it [N] */
     double give;        /* further strain for each N, while a solution is looked for [1/N] */
 };
 

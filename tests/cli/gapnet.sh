@@ -108,6 +108,14 @@ for step in constant unit span; do
     ok $? "imaginary, $step: where the gap method is"
 done
 
+# Displacement with a folded chain: its middle element is slack, which the gap method has to be told.
+printf 'type,diameter_m,mass_kg_m,ea_N\nheavy,0.05,50,2e6\n' >fold-types.csv
+printf 'node,condition,x_m,y_m,z_m\na,fixed,0,0,0\nb,fixed,3,0,0\n' >fold-nodes.csv
+printf 'rope,node_a,node_b,type,length_m,elements\n1,a,b,heavy,30,3\n' >fold-ropes.csv
+sed 's/tree-/fold-/; s,mooring/types,fold-types,' tree.ini >fold.ini
+runs 0 'displacement, folded' gapnet --method displacement -d folded fold.ini
+runs 0 'is proven' gapcheck folded
+
 # Stiffness: symmetric, as CSV and as the file that another system takes for a spring.
 runs 0 'stiffness' gapnet --stiffness A1,B2 --rope chain $system
 header out 'force_N,A1.x_m,A1.y_m,A1.z_m,B2.x_m,B2.y_m,B2.z_m' 'its columns'
@@ -191,6 +199,10 @@ printf 'node,condition,x_m,y_m,z_m\na,fixed,0,0,0\nb,fixed,3,0,0\n' >slack-nodes
 runs 0 'a bar with a tension table' gapnet -d slack slack.ini
 runs 0 'is proven' gapcheck slack
 
+printf 'rope,node_a,node_b,type,length_m,elements\n1,a,b,bar,3.01,1\n' >slack-ropes.csv
+runs 2 'a bar with a tension table that is pushed' gapnet slack.ini
+says 'its tension table starts at nothing' 'is told'
+
 # Lint.
 runs 0 'lint: nothing' gapnet --lint $system
 sed 's/^leg1,A1,B1,rope,120/leg1,A1,A2,rope,100/' mooring/ropes.csv >mooring/short.csv
@@ -244,6 +256,8 @@ refused 'an unknown method' "option --method: 'force' is not one of: gap displac
     --method force
 refused 'an unknown node of stiffness' "there is no node 'Q'" --stiffness A1,Q
 runs 2 'no operand' gapnet
+runs 2 'both -o and -d' gapnet -o never.csv -d never $system
+runs 2 'stiffness of nothing' gapnet --stiffness '' $system
 runs 2 'no such system' gapnet nothing.ini
 runs 1 'too few steps' gapnet --set solve.steps=2 -d far $system
 says 'not solved in 2 steps' 'say how far it came'

@@ -480,7 +480,8 @@ static void awkward(void **state)
         struct net net = {2, 1, node, part};
         struct net_state s = solve(&net, &exact);
 
-        near_abs(s.t[2] + part[0].rope.offset[2], -5 * 20 * (elements ? 8 / 18.0 : 0.5) - 2.5 * (elements ? 0 : 1), 5);
+        near_abs(s.t[2] + part[0].rope.offset[2],
+                 -5 * 20 * (elements ? 8 / 18.0 : 0.5) - 2.5 * (elements ? 0 : 1), 5);
         net_state_free(&s);
     }
     { /* taut to 1e-4 of the chord */
