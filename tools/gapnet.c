@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define SLACK 1e-8 /* of the largest tension: a rope that carries nothing */
+
 static struct {
     struct opt_common common;
     const char *method, *rope, *step, *stiffness, *about;
@@ -131,7 +133,15 @@ static double verify(void)
     struct net_state second;
     struct why why;
     double most = 0;
-    enum status s = net_solve(&all.net, &o, &second);
+    struct net again = all.net; /* ropes keep some of their state */
+    enum status s;
+
+    again.rope = malloc(sizeof *again.rope * (size_t)again.m);
+    if (!again.rope)
+        die(SW_NOMEM, "%s", status_text(SW_NOMEM));
+    memcpy(again.rope, all.net.rope, sizeof *again.rope * (size_t)again.m);
+    s = net_solve(&again, &o, &second);
+    free(again.rope);
 
     if (s != SW_OK) {
         explain(s, other, &second, &why);
@@ -147,6 +157,16 @@ static double verify(void)
     return most;
 }
 
+/* Whether rope r is a bar that is shorter than its length. */
+static int is_pushed(int r)
+{
+    const struct net_rope *p = &all.net.rope[r];
+    const double *a = state.x + 3 * p->a, *b = state.x + 3 * p->b;
+
+    return p->rope.elements == 1 &&
+           hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]) < p->rope.L0;
+}
+
 static void remark(void)
 {
     for (int r = 0; r < all.net.m; r++) {
@@ -157,6 +177,9 @@ static void remark(void)
         rope_extremes(&all.net.rope[r].rope, ta, &most, &least);
         if (most > all.type[all.type_of[r]].breaking)
             warn("rope '%s' is over its breaking load: %.6g N", system_rope(&all, r), most);
+        if (law->n > 0 && is_pushed(r) && most > SLACK * state.most)
+            die(SW_ADMISSIBLE, "rope '%s' is pushed by %.6g N; its tension table starts at nothing",
+                system_rope(&all, r), most);
         if (law->n > 0 && most > law->tension[law->n - 1])
             die(SW_ADMISSIBLE, "rope '%s' carries %.6g N; its tension table ends at %.6g N",
                 system_rope(&all, r), most, law->tension[law->n - 1]);
@@ -169,6 +192,8 @@ static int choose(int *ret)
     const char *p = args.stiffness;
     int k = 0;
 
+    if (!*p)
+        die(SW_USAGE, "option --stiffness: names of nodes are expected");
     while (*p) {
         size_t length = strcspn(p, ",");
         int found = -1;
@@ -268,6 +293,8 @@ int main(int argc, char **argv)
         opt_usage(&tool);
     if (args.about && !args.stiffness)
         die(SW_USAGE, "option --about belongs to --stiffness");
+    if (args.common.out && args.common.dir)
+        die(SW_USAGE, "options -o and -d: all tables go to the directory");
     load(argv[operand]);
     if (args.lint)
         return system_lint(&all, tell) > 0;

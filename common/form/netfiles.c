@@ -9,7 +9,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define SLACK 1e-8 /* of the largest tension: a rope that carries nothing */
+#define STRAIN 1e-5 /* of the softest rope: with less nothing pulls */
+#define SLACK 1e-8  /* of the largest tension: a rope that carries nothing */
 
 static double size(const double x[3])
 {
@@ -22,6 +23,16 @@ static void cells(const double *x, int n, struct out *o)
         putc(',', o->f);
         out_number(o, x[i]);
     }
+}
+
+/* Ropes that carry no more are slack [N]: a part of the largest tension, where anything pulls. */
+static double slack_below(const struct system *p, const struct net_state *s)
+{
+    double softest = INFINITY;
+
+    for (int r = 0; r < p->net.m; r++)
+        softest = fmin(softest, p->net.rope[r].rope.law.EA);
+    return SLACK * fmax(s->most, STRAIN * softest);
 }
 
 /* Force of the ropes on all nodes, (n, 3), allocated; NULL: memory ran out. */
@@ -98,9 +109,11 @@ enum status net_print_nodes(const struct system *p, const struct net_state *s, s
 
 void net_print_ropes(const struct system *p, const struct net_state *s, struct out *o)
 {
+    double slack = slack_below(p, s);
+
     fputs("rope,tension_a_N,tension_b_N,tension_max_N,tension_min_N,length_m,length_on_bed_m,"
           "ta_x_N,ta_y_N,ta_z_N,tb_x_N,tb_y_N,tb_z_N,node_a,node_b,unstretched_m,elements,ea_N,"
-          "use,lowest_z_m,remark\n",
+          "use,lowest_z_m,remark,law\n",
           o->f);
     for (int r = 0; r < p->net.m; r++) {
         const struct net_rope *rope = &p->net.rope[r];
@@ -134,11 +147,12 @@ void net_print_ropes(const struct system *p, const struct net_state *s, struct o
         if (isfinite(breaking))
             out_number(o, most / breaking);
         cells(&low, 1, o);
-        fprintf(o->f, ",%s\n",
-                bar && most < 0                 ? "compression"
-                : most > breaking               ? "over its breaking load"
-                : fabs(most) <= SLACK * s->most ? "slack"
-                                                : "");
+        fprintf(o->f, ",%s,%s\n",
+                bar && most < 0       ? "compression"
+                : most > breaking     ? "over its breaking load"
+                : fabs(most) <= slack ? "slack"
+                                      : "",
+                rope->rope.law.n > 0 ? "table" : "hooke");
     }
 }
 
@@ -201,6 +215,8 @@ void net_print_history(const struct net_state *s, struct out *o)
 /* Ropes that carry nothing, are over their breaking load, are bars under compression. */
 static void count_remarks(const struct system *p, const struct net_state *s, int ret[3])
 {
+    double slack = slack_below(p, s);
+
     ret[0] = ret[1] = ret[2] = 0;
     for (int r = 0; r < p->net.m; r++) {
         const struct net_rope *rope = &p->net.rope[r];
@@ -208,13 +224,13 @@ static void count_remarks(const struct system *p, const struct net_state *s, int
 
         net_ends(&p->net, s, r, ta, tb);
         rope_extremes(&rope->rope, ta, &most, &least);
-        ret[0] += most <= SLACK * s->most;
+        ret[0] += most <= slack;
         ret[1] += most > p->type[p->type_of[r]].breaking;
         if (rope->rope.elements == 1) {
             const double *a = s->x + 3 * rope->a, *b = s->x + 3 * rope->b;
             const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 
-            ret[2] += size(d) < rope->rope.L0 && most > SLACK * s->most;
+            ret[2] += size(d) < rope->rope.L0 && most > slack;
         }
     }
 }

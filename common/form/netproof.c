@@ -8,8 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SLACK 1e-8 /* of the largest tension: of less, only the length is judged */
-#define DEEPEST 48 /* halvings of a piece */
+#define SLACK 1e-8        /* of the largest tension: of less, only the length is judged */
+#define SMALL_STRAIN 1e-5 /* a system that strains its softest rope by less carries nothing */
+#define SMALL_PART 1e-5   /* of the largest load: where springs and floats carry it */
+#define DEEPEST 48        /* halvings of a piece */
 
 enum {
     NODE,
@@ -26,7 +28,7 @@ static const struct sheet_column node_column[N_NODE] = {
     {"fy_N", 1},     {"fz_N", 1},        {"residual_N", 1},  {"load_x_N", 1},    {"load_y_N", 1},
     {"load_z_N", 1}, {"support_x_N", 1}, {"support_y_N", 1}, {"support_z_N", 1}, {"held", 1}};
 
-enum { ROPE, END_A = 7, END_B = 10, A = 13, B, UNSTRETCHED, ELEMENTS, STIFFNESS, N_ROPE = 21 };
+enum { ROPE, END_A = 7, END_B = 10, A = 13, B, UNSTRETCHED, ELEMENTS, STIFFNESS, LAW = 21, N_ROPE };
 static const struct sheet_column rope_column[N_ROPE] = {{"rope", 1},
                                                         {"tension_a_N", 1},
                                                         {"tension_b_N", 1},
@@ -47,7 +49,8 @@ static const struct sheet_column rope_column[N_ROPE] = {{"rope", 1},
                                                         {"ea_N", 1},
                                                         {"use", 0},
                                                         {"lowest_z_m", 0},
-                                                        {"remark", 0}};
+                                                        {"remark", 0},
+                                                        {"law", 1}};
 
 enum {
     SHAPE_ROPE,
@@ -74,6 +77,7 @@ struct tables {
     double *s, *strain;       /* (points) */
     int *a, *b, *first;       /* (ropes): nodes, first point; (ropes + 1) of the last */
     double *L0, *EA;
+    int *hooke; /* (ropes): strain is tension over EA; else as the table of shapes has it */
     int *elements;
 };
 
@@ -136,10 +140,31 @@ static enum status take_ropes(struct tables *p, struct why *why)
             s = numbers(&p->ropes, r, ELEMENTS, 1, &elements, why);
         if (s == SW_OK)
             s = numbers(&p->ropes, r, STIFFNESS, 1, &p->EA[r], why);
+        if (s == SW_OK && !(elements >= 0 && elements <= 1e6 && elements == floor(elements)))
+            s = sheet_fail(why, &p->ropes, r, "elements must be a whole number");
+        if (s == SW_OK && !(p->L0[r] > 0 && p->EA[r] > 0))
+            s = sheet_fail(why, &p->ropes, r, "its length or stiffness is not positive");
         p->elements[r] = s == SW_OK ? (int)elements : 0;
+        p->hooke[r] = strcmp(sheet_text(&p->ropes, r, LAW), "hooke") == 0;
     }
     free(index.row);
     return s;
+}
+
+/* The points of rope r cover its length, element by element. */
+static enum status whole_rope(const struct tables *p, int r, struct why *why)
+{
+    int first = p->first[r], last = p->first[r + 1] - 1, n = p->elements[r];
+
+    if (last == first || (n > 0 && last - first != n))
+        return sheet_fail(why, &p->shapes, last, "the rope has another number of elements");
+    for (int k = first; k <= last; k++) {
+        double s = n > 0 ? p->L0[r] / n * (k - first) : k == first ? 0 : p->L0[r];
+
+        if ((n > 0 || k == first || k == last) && !(fabs(p->s[k] - s) <= 1e-12 * p->L0[r]))
+            return sheet_fail(why, &p->shapes, k, "s_m does not belong to the rope's length");
+    }
+    return SW_OK;
 }
 
 /* Points stand in the order of the ropes. */
@@ -173,6 +198,8 @@ static enum status take_points(struct tables *p, struct why *why)
     if (s == SW_OK && r != p->ropes.n - 1)
         s = fail(why, SW_FORMAT, "%.400s: %d ropes; there are %d", p->shapes.name, r + 1,
                  p->ropes.n);
+    for (r = 0; r < p->ropes.n && s == SW_OK; r++)
+        s = whole_rope(p, r, why);
     return s;
 }
 
@@ -210,16 +237,18 @@ static enum status make_room(struct tables *p, struct why *why)
     p->b = mem_zeroed(m, sizeof *p->b);
     p->first = mem_zeroed(m + 1, sizeof *p->first);
     p->elements = mem_zeroed(m, sizeof *p->elements);
+    p->hooke = mem_zeroed(m, sizeof *p->hooke);
     return p->x && p->sum && p->ta && p->tb && p->point && p->load && p->t && p->s && p->strain &&
-                   p->L0 && p->EA && p->a && p->b && p->first && p->elements
+                   p->L0 && p->EA && p->a && p->b && p->first && p->elements && p->hooke
                ? SW_OK
                : fail_plain(why, SW_NOMEM);
 }
 
 static void tables_free(struct tables *p)
 {
-    void *const all[] = {p->x,      p->sum, p->ta, p->tb, p->point, p->load,  p->t,       p->s,
-                         p->strain, p->L0,  p->EA, p->a,  p->b,     p->first, p->elements};
+    void *const all[] = {p->x, p->sum,   p->ta,       p->tb,   p->point, p->load,
+                         p->t, p->s,     p->strain,   p->L0,   p->EA,    p->a,
+                         p->b, p->first, p->elements, p->hooke};
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);
@@ -231,6 +260,7 @@ static void tables_free(struct tables *p)
 static void measure(const struct tables *p, struct net_proof *ret)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double softest = INFINITY, load = 0;
 
     for (int k = 0; k < p->shapes.n; k++) {
         ret->tension = fmax(ret->tension, size(p->t + 3 * k));
@@ -239,6 +269,11 @@ static void measure(const struct tables *p, struct net_proof *ret)
             high[c] = fmax(high[c], p->point[3 * k + c]);
         }
     }
+    for (int r = 0; r < p->ropes.n; r++)
+        softest = fmin(softest, p->EA[r]);
+    for (int i = 0; i < 3 * p->nodes.n; i++)
+        load = fmax(load, fabs(p->sum[i]));
+    ret->force = fmax(ret->tension, fmax(SMALL_STRAIN * softest, SMALL_PART * load));
     for (int c = 0; c < 3 && p->shapes.n > 0; c++)
         ret->size = fmax(ret->size, high[c] - low[c]);
     for (int r = 0; r < p->ropes.n; r++)
@@ -247,9 +282,9 @@ static void measure(const struct tables *p, struct net_proof *ret)
 
 static void keep_worst(double now, double *most, const char *name, char to[PROOF_NAME])
 {
-    if (now <= *most)
+    if (now <= *most || isnan(*most))
         return;
-    *most = now;
+    *most = now; /* also one that is no number, which stays */
     snprintf(to, PROOF_NAME, "%s", name);
 }
 
@@ -261,7 +296,7 @@ static void prove_nodes(struct tables *p, struct net_proof *ret)
             p->sum[3 * p->b[r] + c] -= p->tb[3 * r + c];
         }
     for (int i = 0; i < p->nodes.n; i++)
-        keep_worst(size(p->sum + 3 * i) / ret->tension, &ret->unbalance,
+        keep_worst(size(p->sum + 3 * i) / ret->force, &ret->unbalance,
                    sheet_text(&p->nodes, i, NODE), ret->node);
 }
 
@@ -277,11 +312,11 @@ static void prove_joints(const struct tables *p, int r, struct net_proof *ret)
 
         for (int c = 0; c < 3; c++)
             open[c] = before[c] - (k > first ? p->load[3 * k + c] : 0) - p->t[3 * k + c];
-        keep_worst(size(open) / ret->tension, &ret->joint, name, ret->rope);
+        keep_worst(size(open) / ret->force, &ret->joint, name, ret->rope);
     }
     for (int c = 0; c < 3; c++)
         open[c] = p->t[3 * last + c] - p->tb[3 * r + c];
-    keep_worst(size(open) / ret->tension, &ret->joint, name, ret->rope);
+    keep_worst(size(open) / ret->force, &ret->joint, name, ret->rope);
 }
 
 /* (1/T + 1/EA) t at u = 0..1 between two tensions. */
@@ -318,6 +353,15 @@ static void integrate(const double t1[3], const double t2[3], double EA, double 
     integrate(t1, t2, EA, u + h / 2, h / 2, depth - 1, ret);
 }
 
+/* Stretched length of the piece of rope r from point k, if it were straight. */
+static double reach(const struct tables *p, int r, int k)
+{
+    double length = p->s[k + 1] - p->s[k];
+    double T = fmax(size(p->t + 3 * k), size(p->t + 3 * (k + 1)));
+
+    return length * (1 + (p->elements[r] > 0 ? p->strain[k] : T / p->EA[r]));
+}
+
 /* Where the piece of rope r from point k leads; 0: it carries nothing and leads anywhere within its
  * length. */
 static int piece(const struct tables *p, int r, int k, double tension, double ret[3])
@@ -348,9 +392,11 @@ static double prove_bar(const struct tables *p, int r, double tension)
         d[c] = b[c] - a[c];
     l = size(d);
     N = p->EA[r] * (l / p->L0[r] - 1);
+    if (!p->hooke[r] && l > p->L0[r]) /* tension by a table: only its direction and strain tell */
+        N = size(t) + p->EA[r] * (l / p->L0[r] - 1 - p->strain[p->first[r]]);
     for (int c = 0; c < 3; c++)
-        across[c] = t[c] - N * d[c] / l;
-    return size(across) / tension;
+        across[c] = t[c] - (l > 0 ? N * d[c] / l : 0);
+    return (l > 0 ? size(across) : fabs(N)) / tension; /* no length: it can push nowhere */
 }
 
 static void prove_shape(const struct tables *p, int r, struct net_proof *ret)
@@ -363,13 +409,16 @@ static void prove_shape(const struct tables *p, int r, struct net_proof *ret)
 
         for (int c = 0; c < 3; c++)
             d[c] = p->point[3 * (k + 1) + c] - p->point[3 * k + c];
-        if (piece(p, r, k, ret->tension, lead)) {
+        if (piece(p, r, k, ret->force, lead)) {
             for (int c = 0; c < 3; c++)
                 open[c] = d[c] - lead[c];
             far = size(open);
         } else {
-            far = fmax(0, size(d) - (p->s[k + 1] - p->s[k]));
+            far = fmax(0, size(d) - reach(p, r, k));
         }
+        if (p->elements[r] > 0 && p->hooke[r])
+            far = fmax(far, fabs(p->strain[k] - size(p->t + 3 * k) / p->EA[r]) *
+                                (p->s[k + 1] - p->s[k]));
         keep_worst(far / ret->size, &ret->gap, name, ret->gap_rope);
     }
     for (int end = 0; end < 2; end++) {
@@ -408,8 +457,8 @@ enum status net_prove(const char *dir, struct net_proof *ret, struct why *why)
         for (int r = 0; r < p.ropes.n; r++) {
             prove_joints(&p, r, ret);
             if (p.elements[r] == 1)
-                keep_worst(prove_bar(&p, r, ret->tension), &ret->joint,
-                           sheet_text(&p.ropes, r, ROPE), ret->rope);
+                keep_worst(prove_bar(&p, r, ret->force), &ret->joint, sheet_text(&p.ropes, r, ROPE),
+                           ret->rope);
             else
                 prove_shape(&p, r, ret);
         }

@@ -14,7 +14,9 @@
 
 struct net_proof {
     double tension, size; /* largest tension [N], extent of all points [m] */
-    double unbalance;     /* largest of the nodes over the largest tension */
+    double force;         /* what residuals are compared with: the largest tension, but no less than
+                             its softest rope at a strain of 1e-5 and 1e-5 of a node's load [N] */
+    double unbalance;     /* largest of the nodes over that force */
     double joint;         /* the same of the joints, and of ends against the table of ropes */
     double gap;           /* largest distance of a point from where its rope puts it, over size */
     char node[PROOF_NAME], rope[PROOF_NAME], gap_rope[PROOF_NAME]; /* the worst ones */

@@ -18,7 +18,11 @@
 #define GIVE_END 0.1    /* of a rope's own: no longer matters */
 #define GIVE_UP 0.9     /* a stage that takes off less is none */
 #define STAGES 28       /* of smoothing, two for a power of ten */
+#define ROUGH 1e-7      /* smoothing, of a rope's load, with which a solution is looked for */
+#define SHARP 1e-12     /* with which it ends */
+#define SHARPEN 50      /* steps for a power of ten between them */
 #define POLISH 3        /* steps behind the tolerance that may still bring something */
+#define PART 1e-5       /* of the reference force: less than that is no tension to compare with */
 #define THREADS 512     /* ropes from which threads share them */
 
 static double length(const double x[3])
@@ -72,7 +76,7 @@ static void bar(const struct net_rope *p, const double d[3], double soft, double
         change = 0;
     }
     for (int i = 0; i < 3; i++)
-        t[i] = l > 0 ? N / l * d[i] : 0;
+        t[i] = l > 0 ? N / l * d[i] : i == 2 ? N : 0; /* no length: as if it stood upright */
     K[SYM_XX] = along + change * d[0] * d[0];
     K[SYM_XY] = change * d[0] * d[1];
     K[SYM_XZ] = change * d[0] * d[2];
@@ -121,8 +125,10 @@ static void ends(const struct net *net, const double *t, const struct net_work *
     memcpy(ta, net_is_bar(p) ? w->bar + 3 * r : t + 3 * r, 3 * sizeof *ta);
     if (!net_is_bar(p))
         rope_load(&p->rope, load);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
+        ta[i] += p->rope.offset[i];
         tb[i] = ta[i] - load[i];
+    }
 }
 
 /* Residual of all nodes at x and t: forces of ropes and from outside. */
@@ -157,7 +163,7 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
     int counted = 0;
 
     s->most = 0;
-    s->scale = w->reference;
+    s->scale = PART * w->reference;
     for (int r = 0; r < net->m; r++) {
         double gap = length(w->gap + 3 * r) / s->size, ta[3], tb[3];
 
@@ -302,10 +308,29 @@ static double search(const struct net *net, const struct net_state *s, struct ne
     return factor;
 }
 
+/* Tensions of chains stand for those of their least loaded elements. */
+static void refer(const struct net *net, double *t)
+{
+    for (int r = 0; r < net->m; r++)
+        if (net->rope[r].rope.elements > 1)
+            rope_refer(&net->rope[r].rope, t + 3 * r);
+}
+
 static void take(struct net_state *s, const struct net *net, const struct net_work *w)
 {
     memcpy(s->x, w->x1, 3 * sizeof *s->x * (size_t)net->n);
     memcpy(s->t, w->t1, 3 * sizeof *s->t * (size_t)net->m);
+    refer(net, s->t);
+}
+
+/* Tensions stand for ends again; to keep them while the ropes change. */
+static void refer_to_ends(const struct net *net, double *t)
+{
+    for (int r = 0; r < net->m; r++)
+        for (int i = 0; i < 3; i++) {
+            t[3 * r + i] += net->rope[r].rope.offset[i];
+            net->rope[r].rope.offset[i] = 0;
+        }
 }
 
 /* tolerance 0: near enough for a stage on the way. */
@@ -357,6 +382,7 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
 {
     int polish = 0, brief = 0;
 
+    refer(net, s->t);
     net_evaluate(net, s->x, s->t, w);
     if (s->steps == 0)
         s->step[0] = net_measure(net, s->t, w, s);
@@ -410,7 +436,7 @@ static void set_give(struct net *net, double give, double reference)
 {
     for (int r = 0; r < net->m; r++)
         net->rope[r].rope.give = give;
-    net_smooth(net, reference, reference * sqrt(give * reference / 0.1));
+    net_smooth(net, ROUGH, reference, reference * sqrt(give * reference / 0.1));
 }
 
 /*
@@ -432,6 +458,7 @@ static enum status iterate_softly(struct net *net, const struct net_options *o, 
         set_give(net, give, w->reference);
         status = iterate(net, o, 0, before + room < o->steps ? before + room : o->steps,
                          first ? INT_MAX : 1, w, s);
+        refer_to_ends(net, s->t);
         if (status == SW_OK) {
             memcpy(x, s->x, nx);
             memcpy(t, s->t, nt);
@@ -468,11 +495,50 @@ static enum status iterate_smoothly(struct net *net, const struct net_options *o
     for (int k = 0; k <= STAGES && status == SW_OK; k++) {
         int last = k == STAGES;
 
-        net_smooth(net, w->reference, last ? 0 : w->reference * pow(0.1, k / 2.0));
+        net_smooth(net, ROUGH, w->reference, last ? 0 : w->reference * pow(0.1, k / 2.0));
         status = iterate(net, o, last ? o->tolerance : 0, o->steps, INT_MAX, w, s);
         if (status == SW_NOCONV && !last)
             status = SW_OK;
     }
+    return status;
+}
+
+/* On to a tenth of the smoothing: what is small goes with it, so that the change since ten times it
+ * tells the next one.  x and t, tensions at ends, are from there; now they become those of s. */
+static void foresee(const struct net *net, int known, double *x, double *t, struct net_state *s)
+{
+    for (int i = 0; i < 3 * net->n; i++) {
+        double now = s->x[i];
+
+        s->x[i] += known ? (now - x[i]) / 10 : 0;
+        x[i] = now;
+    }
+    for (int i = 0; i < 3 * net->m; i++) {
+        double now = s->t[i] + net->rope[i / 3].rope.offset[i % 3];
+
+        s->t[i] += known && !net_is_bar(&net->rope[i / 3]) ? (now - t[i]) / 10 : 0;
+        t[i] = now;
+    }
+}
+
+/* From a solution with rough smoothing to one that leaves next to nothing in slack elements. */
+static enum status sharpen(struct net *net, const struct net_options *o, struct net_work *w,
+                           struct net_state *s)
+{
+    double *x = mem_doubles(3 * (size_t)net->n), *t = mem_doubles(3 * (size_t)net->m);
+    enum status status = x && t ? SW_OK : SW_NOMEM;
+
+    for (double part = ROUGH / 10; part > SHARP / 2 && status == SW_OK; part /= 10) {
+        int last = s->steps + SHARPEN;
+
+        foresee(net, part < ROUGH / 20, x, t, s);
+        net_smooth(net, part, w->reference, 0);
+        status = iterate(net, o, o->tolerance, last < o->steps ? last : o->steps, INT_MAX, w, s);
+        if (status == SW_NOCONV && part > 2 * SHARP)
+            status = SW_OK;
+    }
+    free(x);
+    free(t);
     return status;
 }
 
@@ -482,11 +548,13 @@ static enum status iterate_all_ways(struct net *net, const struct net_options *o
 {
     enum status status = iterate(net, o, o->tolerance, o->steps, SHORT_STEPS, w, s);
 
-    if (status == SW_NOCONV && s->steps < o->steps)
+    if (status == SW_OK || s->steps == o->steps)
+        return status;
+    if (status == SW_NOCONV)
         status = iterate_softly(net, o, w, s);
     if (status == SW_NOCONV && s->steps < o->steps)
         status = iterate_smoothly(net, o, w, s);
-    return status;
+    return status == SW_OK ? sharpen(net, o, w, s) : status;
 }
 
 static enum status new_state(const struct net *net, const struct net_options *o,
@@ -522,6 +590,8 @@ static enum status conclude(const struct net *net, const struct net_options *o, 
         if (net_is_bar(&net->rope[r]))
             memcpy(ret->t + 3 * r, w->bar + 3 * r, 3 * sizeof *ret->t);
     end = net_measure(net, ret->t, w, ret);
+    end.factor = ret->step[ret->steps].factor;
+    ret->step[ret->steps] = end; /* what there is, by whatever method */
     return is_met(&end, ret, o->tolerance) ? SW_OK : SW_NOCONV;
 }
 
@@ -535,7 +605,9 @@ enum status net_solve(struct net *net, const struct net_options *o, struct net_s
     if (s == SW_OK) {
         ret->size = net_size(net);
         w.reference = net_reference(net);
-        net_smooth(net, w.reference, 0);
+        net_smooth(net, SHARP, w.reference, 0);
+        for (int r = 0; r < net->m; r++)
+            memset(net->rope[r].rope.offset, 0, sizeof net->rope[r].rope.offset);
         if (o->method == NET_IMAGINARY)
             s = net_imaginary(net, o, &w, ret);
         else if (o->method == NET_DISPLACEMENT)

@@ -63,12 +63,12 @@ struct net_step {
 
 struct net_state {
     double *x;             /* (n, 3) positions [m]; owned */
-    double *t;             /* (m, 3) tension at a, towards b [N]; owned */
+    double *t;             /* (m, 3) tension at a, towards b, less the rope's offset [N]; owned */
     double *residual;      /* (n, 3) what is missing at the nodes [N]; at held ones minus the
                               support's reaction; owned */
     double size;           /* of the system [m] */
     double most;           /* largest tension [N] */
-    double scale;          /* the same, but not below the loads over the number of held nodes */
+    double scale;          /* the same, but not below 1e-5 of the loads over the held nodes */
     struct net_step *step; /* (steps + 1) history; owned */
     int steps;
     int worst; /* node with the largest residual, or what makes it a mechanism */
@@ -78,7 +78,8 @@ struct net_state {
  * something held.  *ret_at: the rope or node that they are about. */
 const char *net_refused(const struct net *net, int *ret_is_rope, int *ret_at);
 
-/* Find the equilibrium; sets the ropes' epsilon.  SW_NOCONV: bounds not met, the state is the best
+/* Find the equilibrium; sets the ropes' epsilon and offset, which
+ * belong to the state.  SW_NOCONV: bounds not met, the state is the best
  * one found; SW_INDEFINITE: a mechanism, ret->worst is free to move; SW_ADMISSIBLE: the method does
  * not apply; SW_NOMEM. */
 enum status net_solve(struct net *net, const struct net_options *o, struct net_state *ret);

@@ -96,6 +96,38 @@ static enum status new_fine(const struct net *net, const struct net_options *o, 
                                                                                         : SW_NOMEM;
 }
 
+/* The tension that stands for rope r: that of its element that carries least.  One that is slack
+ * gets what its smoothed chord needs. */
+static void take_tension(const struct net *net, int r, const struct net *fine, int first,
+                         const struct net_state *moved, double t[3])
+{
+    struct rope *p = &net->rope[r].rope;
+    double carried[3] = {0, 0, 0}, load[3], least = INFINITY, d[3], slack;
+    int at = first;
+
+    for (int k = 0; k < p->elements; k++) {
+        const double *now = moved->t + 3 * (first + k);
+        double size = hypot(hypot(now[0], now[1]), now[2]);
+
+        for (int i = 0; i < 3 && k > 0; i++) {
+            joint_force(p, k, load);
+            carried[i] += load[i];
+        }
+        if (!(size < least))
+            continue;
+        least = size;
+        at = first + k;
+        memcpy(p->offset, carried, sizeof carried);
+    }
+    memcpy(t, moved->t + 3 * at, 3 * sizeof *t);
+    for (int i = 0; i < 3; i++)
+        d[i] = moved->x[3 * fine->rope[at].b + i] - moved->x[3 * fine->rope[at].a + i];
+    slack =
+        fine->rope[at].rope.L0 * fine->rope[at].rope.L0 - d[0] * d[0] - d[1] * d[1] - d[2] * d[2];
+    for (int i = 0; i < 3 && p->elements > 1 && slack > 0; i++)
+        t[i] = p->epsilon / sqrt(slack) * d[i];
+}
+
 enum status net_displace(const struct net *net, const struct net_options *o, struct net_work *w,
                          struct net_state *s)
 {
@@ -112,7 +144,7 @@ enum status net_displace(const struct net *net, const struct net_options *o, str
     if (status == SW_OK || status == SW_NOCONV || status == SW_INDEFINITE) {
         memcpy(s->x, moved.x, 3 * sizeof *s->x * (size_t)net->n);
         for (int r = 0; r < net->m; r++)
-            memcpy(s->t + 3 * r, moved.t + 3 * first[r], 3 * sizeof *s->t);
+            take_tension(net, r, &fine, first[r], &moved, s->t + 3 * r);
         memcpy(s->step, moved.step, sizeof *s->step * ((size_t)moved.steps + 1));
         s->steps = moved.steps;
         s->worst = moved.worst < net->n ? moved.worst : -1;

@@ -143,7 +143,7 @@ void net_ends(const struct net *net, const struct net_state *s, int r, double ta
     if (!net_is_bar(&net->rope[r]))
         rope_load(&net->rope[r].rope, load);
     for (int i = 0; i < 3; i++) {
-        ta[i] = s->t[3 * r + i];
+        ta[i] = s->t[3 * r + i] + net->rope[r].rope.offset[i];
         tb[i] = ta[i] - load[i];
     }
 }

@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SMOOTH 1e-7     /* of a rope's load */
-#define WEIGHTLESS 1e-9 /* of the reference force: ropes of less load, and their smoothing */
+#define WEIGHTLESS 1e-9 /* of the reference force: ropes of less load */
 
 int net_is_bar(const struct net_rope *r)
 {
@@ -194,8 +193,13 @@ double net_reference(const struct net *net)
     int held = 0;
 
     for (int i = 0; i < net->n; i++) {
-        held += net->node[i].held != 0;
-        load += norm(net->node[i].force) + net->node[i].area * net->node[i].height;
+        const struct net_node *p = &net->node[i];
+        double free[3];
+
+        for (int c = 0; c < 3; c++)
+            free[c] = p->held & 1 << c ? 0 : p->force[c];
+        held += p->held != 0;
+        load += norm(free) + (p->held & 4 ? 0 : p->area * p->height);
     }
     for (int r = 0; r < net->m; r++) {
         load += norm(net->rope[r].rope.q) * net->rope[r].rope.L0;
@@ -204,14 +208,17 @@ double net_reference(const struct net *net)
     return load > 0 ? load / (held > 0 ? held : 1) : softest / 1000;
 }
 
-void net_smooth(struct net *net, double reference, double least)
+void net_smooth(struct net *net, double part, double reference, double least)
 {
+    double small = reference;
+
+    for (int r = 0; r < net->m; r++)
+        small = fmin(small, net->rope[r].rope.law.EA / 1000);
     for (int r = 0; r < net->m; r++) {
         struct rope *p = &net->rope[r].rope;
         double load = norm(p->q) * p->L0;
 
-        p->epsilon = load > WEIGHTLESS * reference ? SMOOTH * load : WEIGHTLESS * reference;
-        p->epsilon = fmax(p->epsilon, least);
+        p->epsilon = fmax(least, part * (load > WEIGHTLESS * reference ? load : small));
     }
 }
 
@@ -255,6 +262,7 @@ enum status net_begin(const struct net *net, struct net_work *w, struct net_stat
     for (int r = 0; r < net->m; r++) {
         double load[3];
 
+        memset(net->rope[r].rope.offset, 0, sizeof net->rope[r].rope.offset);
         rope_load(&net->rope[r].rope, load);
         for (int i = 0; i < 3; i++)
             s->t[3 * r + i] = net_is_bar(&net->rope[r]) ? 0 : load[i] / 2;

@@ -44,8 +44,9 @@ double net_size(const struct net *net);
  * softest rope's EA [N]. */
 double net_reference(const struct net *net);
 
-/* Set epsilon of all ropes to what it shall be in the end, but not below `least` [N]. */
-void net_smooth(struct net *net, double reference, double least);
+/* Set epsilon of all ropes: this part of a rope's load, or, where that is next to none, of the
+ * reference force or a thousandth of the softest rope's EA; but not below `least` [N]. */
+void net_smooth(struct net *net, double part, double reference, double least);
 
 /* Chord, stiffness and gap of all ropes and residual of all nodes at x and t. */
 void net_evaluate(const struct net *net, const double *x, const double *t, struct net_work *w);

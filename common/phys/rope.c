@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #define POINTS 8    /* of Gauss */
 #define NEARLY 0.05 /* load over tension up to which the integrals are done by quadrature */
@@ -76,17 +77,28 @@ static void joint_load(const struct rope *r, int k, double ret[3])
         ret[i] = r->load ? r->load[3 * (k - 1) + i] : r->q[i] * r->L0 / r->elements;
 }
 
+/* Tension of element k of a chain, from 1, where the elements before it carried so much more, which
+ * is counted on: exactly t at the one that t is told of. */
+static void next_element(const struct rope *r, const double t[3], int k, double carried[3],
+                         double ret[3])
+{
+    double load[3] = {0, 0, 0};
+
+    if (k > 1)
+        joint_load(r, k - 1, load);
+    for (int i = 0; i < 3; i++) {
+        carried[i] += load[i];
+        ret[i] = t[i] + (r->offset[i] - carried[i]);
+    }
+}
+
 static void chain_chord(const struct rope *r, const double ta[3], double chord[3], double F[SYM])
 {
-    double t[3] = {ta[0], ta[1], ta[2]}, l0 = r->L0 / r->elements, load[3];
+    double t[3], carried[3] = {0, 0, 0};
 
     for (int k = 1; k <= r->elements; k++) {
-        add_element(r, l0, t, chord, F, NULL);
-        if (k == r->elements)
-            break;
-        joint_load(r, k, load);
-        for (int i = 0; i < 3; i++)
-            t[i] -= load[i];
+        next_element(r, ta, k, carried, t);
+        add_element(r, r->L0 / r->elements, t, chord, F, NULL);
     }
 }
 
@@ -206,11 +218,30 @@ static double size(const double t[3])
     return sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
 }
 
+void rope_refer(struct rope *r, double t[3])
+{
+    double at[3], best[3] = {t[0], t[1], t[2]}, carried[3] = {0, 0, 0}, least = INFINITY;
+    double offset[3] = {0, 0, 0};
+
+    for (int k = 1; k <= r->elements; k++) {
+        next_element(r, t, k, carried, at);
+        if (!(size(at) < least))
+            continue;
+        least = size(at);
+        memcpy(best, at, sizeof best);
+        memcpy(offset, carried, sizeof offset);
+    }
+    memcpy(r->offset, offset, sizeof offset);
+    memcpy(t, best, sizeof best);
+}
+
 void rope_points(const struct rope *r, const double t[3], int n, struct rope_point *ret)
 {
-    double l0 = r->L0 / (n - 1), slope;
+    double l0 = r->L0 / (n - 1), slope, carried[3] = {0, 0, 0};
 
     ret[0] = (struct rope_point){.t = {t[0], t[1], t[2]}};
+    if (r->elements > 0)
+        next_element(r, t, 1, carried, ret[0].t);
     for (int k = 1; k < n; k++) {
         struct rope_point *p = &ret[k], *before = &ret[k - 1];
 
@@ -226,6 +257,8 @@ void rope_points(const struct rope *r, const double t[3], int n, struct rope_poi
             joint_load(r, k, p->load);
         for (int i = 0; i < 3; i++)
             p->t[i] = before->t[i] - p->load[i];
+        if (r->elements > 0 && k < n - 1)
+            next_element(r, t, k + 1, carried, p->t);
         if (r->elements == 0)
             before->strain = rope_strain(&r->law, size(before->t), &slope);
     }
@@ -234,13 +267,12 @@ void rope_points(const struct rope *r, const double t[3], int n, struct rope_poi
 
 void rope_extremes(const struct rope *r, const double t[3], double *ret_most, double *ret_least)
 {
-    double at[3] = {t[0], t[1], t[2]}, load[3], w = 0, along = 0;
+    double at[3], carried[3] = {0, 0, 0}, w = 0, along = 0;
 
-    *ret_most = *ret_least = size(t);
-    for (int k = 1; k < r->elements; k++) {
-        joint_load(r, k, load);
-        for (int i = 0; i < 3; i++)
-            at[i] -= load[i];
+    *ret_most = r->elements > 0 ? 0 : size(t);
+    *ret_least = r->elements > 0 ? INFINITY : size(t);
+    for (int k = 1; k <= r->elements; k++) {
+        next_element(r, t, k, carried, at);
         *ret_most = fmax(*ret_most, size(at));
         *ret_least = fmin(*ret_least, size(at));
     }
@@ -262,15 +294,12 @@ void rope_extremes(const struct rope *r, const double t[3], double *ret_most, do
 
 double rope_lowest(const struct rope *r, const double t[3])
 {
-    double x[3] = {0, 0, 0}, at[3] = {t[0], t[1], t[2]}, load[3], least = 0;
+    double x[3] = {0, 0, 0}, at[3], carried[3] = {0, 0, 0}, least = 0;
 
     for (int k = 1; k <= r->elements; k++) {
+        next_element(r, t, k, carried, at);
         add_element(r, r->L0 / r->elements, at, x, NULL, NULL);
         least = fmin(least, x[2]);
-        if (k < r->elements)
-            joint_load(r, k, load);
-        for (int i = 0; i < 3 && k < r->elements; i++)
-            at[i] -= load[i];
     }
     if (r->elements > 0)
         return least;
@@ -294,14 +323,11 @@ static double primitive(double H2, double v)
 
 double rope_length(const struct rope *r, const double t[3])
 {
-    double at[3] = {t[0], t[1], t[2]}, load[3], sum = r->L0, slope, w = size(r->q);
+    double at[3] = {t[0], t[1], t[2]}, carried[3] = {0, 0, 0}, sum = r->L0, slope, w = size(r->q);
 
     for (int k = 1; k <= r->elements; k++) {
+        next_element(r, t, k, carried, at);
         sum += r->L0 / r->elements * rope_strain(&r->law, size(at), &slope);
-        if (k < r->elements)
-            joint_load(r, k, load);
-        for (int i = 0; i < 3 && k < r->elements; i++)
-            at[i] -= load[i];
     }
     if (r->elements > 0)
         return sum;

@@ -33,6 +33,7 @@ struct rope {
     double q[3];        /* uniform load [N] per unstretched metre */
     const double *load; /* (elements - 1, 3) at the joints [N], in place of q, or NULL; not owned */
     double epsilon;     /* [N], > 0 */
+    double offset[3];   /* of a chain: tension at a less the t that stands for it [N] */
     double give;        /* further strain for each N, while a solution is looked for [1/N] */
 };
 
@@ -41,6 +42,10 @@ enum { SYM_XX, SYM_XY, SYM_XZ, SYM_YY, SYM_YZ, SYM_ZZ, SYM };
 
 /* chord = x_b - x_a [m] and flexibility d chord/d t [m/N], or NULL. */
 void rope_chord(const struct rope *r, const double t[3], double chord[3], double F[SYM]);
+
+/* Let t stand for the tension of the chain's element that carries least: where one is nearly slack
+ * its few digits would be lost beside the loads.  Its chord is as before. */
+void rope_refer(struct rope *r, double t[3]);
 
 /* Sum of the loads that act between the ends: t at b is t - sum [N]. */
 void rope_load(const struct rope *r, double ret[3]);

@@ -23,7 +23,7 @@ runs 0 'all tables' gapnet --rope chain -d solved $system
 [ ! -s out ] && [ "$(ls solved | tr '\n' ' ')" = 'history.csv nodes.csv ropes.csv shapes.csv summary.csv ' ]
 ok $? 'five of them, nothing on standard output'
 same nodes.csv solved/nodes.csv 'the same nodes'
-header solved/ropes.csv 'rope,tension_a_N,tension_b_N,tension_max_N,tension_min_N,length_m,length_on_bed_m,ta_x_N,ta_y_N,ta_z_N,tb_x_N,tb_y_N,tb_z_N,node_a,node_b,unstretched_m,elements,ea_N,use,lowest_z_m,remark' \
+header solved/ropes.csv 'rope,tension_a_N,tension_b_N,tension_max_N,tension_min_N,length_m,length_on_bed_m,ta_x_N,ta_y_N,ta_z_N,tb_x_N,tb_y_N,tb_z_N,node_a,node_b,unstretched_m,elements,ea_N,use,lowest_z_m,remark,law' \
     'columns of ropes'
 header solved/shapes.csv 'rope,joint,x_m,y_m,z_m,tension_N,load_x_N,load_y_N,load_z_N,s_m,tx_N,ty_N,tz_N,strain' \
     'columns of shapes'
@@ -67,6 +67,14 @@ runs 2 'a support where nothing is held' gapcheck wrong
 head -n 40 by-chain/shapes.csv >wrong/shapes.csv
 cp by-chain/nodes.csv wrong/nodes.csv
 runs 2 'shapes that are cut short' gapcheck wrong
+change ropes.csv ea_N 2 1.001
+runs 1 'strains that are not of the rope' gapcheck wrong
+change ropes.csv unstretched_m 2 1.001
+runs 2 'lengths that are not of the rope' gapcheck wrong
+says "s_m does not belong" 'are told'
+change shapes.csv tx_N 9 1e300
+sed -i '9s/,[-0-9.e+]*\(,[^,]*,[^,]*\)$/,nan\1/' wrong/shapes.csv
+runs 2 'a tension that is no number' gapcheck wrong
 runs 2 'no such directory' gapcheck nowhere
 runs 2 'gapcheck without an operand' gapcheck
 
@@ -99,6 +107,14 @@ for step in constant unit span; do
     "$compare" -r 1e-6 -a 1e-5 tree.csv "tree-$step.csv" >/dev/null 2>&1
     ok $? "imaginary, $step: where the gap method is"
 done
+
+# Displacement with a folded chain: its middle element is slack, which the gap method has to be told.
+printf 'type,diameter_m,mass_kg_m,ea_N\nheavy,0.05,50,2e6\n' >fold-types.csv
+printf 'node,condition,x_m,y_m,z_m\na,fixed,0,0,0\nb,fixed,3,0,0\n' >fold-nodes.csv
+printf 'rope,node_a,node_b,type,length_m,elements\n1,a,b,heavy,30,3\n' >fold-ropes.csv
+sed 's/tree-/fold-/; s,mooring/types,fold-types,' tree.ini >fold.ini
+runs 0 'displacement, folded' gapnet --method displacement -d folded fold.ini
+runs 0 'is proven' gapcheck folded
 
 # Stiffness: symmetric, as CSV and as the file that another system takes for a spring.
 runs 0 'stiffness' gapnet --stiffness A1,B2 --rope chain $system
@@ -154,6 +170,39 @@ printf 'rope,node_a,node_b,type,length_m,elements\n1,a,c,bar,4,1\n' >tree-ropes.
 runs 1 'a mechanism' gapnet --set tables.types=bar.csv tree.ini
 says "nothing holds node 'c'" 'is named'
 
+# Slack: folded ropes, parallel ones, nothing that pulls; loads on what is held pull at no rope.
+cat >slack.ini <<END
+[environment]
+water_density = 0
+[tables]
+nodes = slack-nodes.csv
+ropes = slack-ropes.csv
+types = slack-types.csv
+END
+printf 'type,diameter_m,mass_kg_m,ea_N\nheavy,0.05,50,2e4\nnone,0.01,0,1e7\n' >slack-types.csv
+printf 'node,condition,x_m,y_m,z_m,fz_N\na,fixed,0,0,0,9000\nb,fixed,3,0,0,\nc,free,,,,0\n' >slack-nodes.csv
+for elements in '' 2 3 4 30; do
+    printf 'rope,node_a,node_b,type,length_m,elements\n1,a,b,heavy,30,%s\n2,a,c,heavy,5,%s\n3,a,b,none,9,\n' \
+        "$elements" "$elements" >slack-ropes.csv
+    runs 0 "folded, elements '$elements'" gapnet -d slack slack.ini
+    runs 0 'is proven' gapcheck slack
+done
+printf 'rope,node_a,node_b,type,length_m,elements\n1,a,b,none,30,\n2,a,b,none,30,7\n3,c,b,none,9,\n' >slack-ropes.csv
+runs 0 'nothing that pulls' gapnet -d slack slack.ini
+runs 0 'is proven' gapcheck slack
+[ "$(column slack slack/summary.csv)" = 3 ]
+ok $? 'all are slack'
+printf 'strain,tension_N\n0.01,20000\n0.02,60000\n' >rope.csv
+printf 'type,diameter_m,mass_kg_m,tension_table\nbar,0,0,rope.csv\n' >slack-types.csv
+printf 'rope,node_a,node_b,type,length_m,elements\n1,a,b,bar,2.96,1\n' >slack-ropes.csv
+printf 'node,condition,x_m,y_m,z_m\na,fixed,0,0,0\nb,fixed,3,0,0\n' >slack-nodes.csv
+runs 0 'a bar with a tension table' gapnet -d slack slack.ini
+runs 0 'is proven' gapcheck slack
+
+printf 'rope,node_a,node_b,type,length_m,elements\n1,a,b,bar,3.01,1\n' >slack-ropes.csv
+runs 2 'a bar with a tension table that is pushed' gapnet slack.ini
+says 'its tension table starts at nothing' 'is told'
+
 # Lint.
 runs 0 'lint: nothing' gapnet --lint $system
 sed 's/^leg1,A1,B1,rope,120/leg1,A1,A2,rope,100/' mooring/ropes.csv >mooring/short.csv
@@ -207,6 +256,8 @@ refused 'an unknown method' "option --method: 'force' is not one of: gap displac
     --method force
 refused 'an unknown node of stiffness' "there is no node 'Q'" --stiffness A1,Q
 runs 2 'no operand' gapnet
+runs 2 'both -o and -d' gapnet -o never.csv -d never $system
+runs 2 'stiffness of nothing' gapnet --stiffness '' $system
 runs 2 'no such system' gapnet nothing.ini
 runs 1 'too few steps' gapnet --set solve.steps=2 -d far $system
 says 'not solved in 2 steps' 'say how far it came'
