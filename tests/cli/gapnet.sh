@@ -266,6 +266,39 @@ ok $? 'and so does the summary'
 [ ! -e never.csv ]
 ok $? 'nothing was written'
 
+# One rope against catenary: chains come to its line and end stiffness with order 2, the continuous
+# rope at once.
+cat >one.ini <<END
+[cable]
+unstressed_length = 104
+mass_per_length = 5
+axial_stiffness = 1e6
+[supports]
+span = 100
+drop = 10
+END
+catenary --summary one.ini | tail -n 1 | tr , '\n' >one
+catenary --stiffness one.ini | tail -n 3 | tr , '\n' >>one
+mkdir line
+printf '[environment]\nwater_density = 0\n' >line/system.ini
+printf 'type,diameter_m,mass_kg_m,ea_N\nt,0,5,1e6\n' >line/types.csv
+printf 'node,condition,x_m,y_m,z_m\na,fixed,0,0,0\nb,fixed,100,0,-10\n' >line/nodes.csv
+for n in 40 80 whole; do
+    printf 'rope,node_a,node_b,type,length_m,elements\n1,a,b,t,104,%s\n' "${n#whole}" >line/ropes.csv
+    gapnet line/system.ini | awk -F, '$1 == "b" { print $12 }' >"line/$n"
+    gapnet --stiffness b line/system.ini | awk -F, 'NR == 2 { print $2 } NR == 4 { print $4 }' \
+        >>"line/$n"
+done
+awk 'FNR == 1 { file++ } { x[file, FNR] = $1 }
+    function abs(x) { return x < 0 ? -x : x }
+    function order(i, wanted,   e, f) {
+        e = abs(x[2, i] - wanted); f = abs(x[3, i] - wanted)
+        return abs(e/f - 4) < 0.05 && abs(x[4, i]/wanted - 1) < 1e-9
+    }
+    END { n = 26; exit !(order(1, x[1, 1]) && order(2, x[1, n + 1]) && order(3, x[1, n + 5])) }' \
+    one line/40 line/80 line/whole
+ok $? 'one rope: horizontal force and end stiffness of catenary, with order 2'
+
 # Generators: solved and proven, each of them.
 for net in square hexagonal radial saddle mooring; do
     runs 0 "$net" "$top/scripts/net/$net" "net-$net"
