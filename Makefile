@@ -141,10 +141,12 @@ check: test-programs
 # The same tests under the sanitizers, then what takes long.  Other flags need another build tree:
 # the one place where make calls itself.
 SANITIZE = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+RACES = -O1 -g -fno-omit-frame-pointer -fsanitize=thread
 check-deep: deps-optional check
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/asan CFLAGS='$(SANITIZE)' HARDEN_CPP= test-programs
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/asan CFLAGS='$(SANITIZE)' HARDEN_CPP= check-sanitized
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/clang CC=clang test-programs
+	-@$(MAKE) --no-print-directory BUILD=$(BUILD)/tsan CC=clang CFLAGS='$(RACES)' HARDEN_CPP= all
 	@$(TEST_ENV) SEILWERK_DEEP=1 prove $(sort $(wildcard tests/deep/*.sh))
 	@$(MAKE) --no-print-directory fuzz
 

@@ -121,6 +121,9 @@ static void warn_of_plan(void)
         c.time.start != START_MODE && c.time.start != START_STATE)
         warn("nothing moves this cable: no [motion], [disturbance], [force] or [wind], no start in "
              "a mode");
+    if (case_sweeps(&c) && c.time.end < c.sweep.sweep.duration * (1 - 1e-9))
+        warn("time.end = %.9g s comes before the end of the sweep at %.9g s", c.time.end,
+             c.sweep.sweep.duration);
     if (plan.rows < 2)
         warn("time.end comes before the first output_every of %g s: only t = 0 is printed",
              c.time.output_every);

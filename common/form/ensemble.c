@@ -42,11 +42,13 @@ static int stopped(struct work *w)
     return stop || signals_pending();
 }
 
+/* The first failure stays, whatever stops the others. */
 static void stop(struct work *w, enum status s)
 {
 #pragma omp critical(ensemble_files)
     {
-        w->status = s;
+        if (w->status == SW_OK)
+            w->status = s;
 #pragma omp atomic write
         w->stop = 1;
     }

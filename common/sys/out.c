@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -16,7 +17,8 @@
 /* Unfinished files, for the signal handler.  The mark is set when the path is there, and before the
  * file is; it is taken away when the file is gone. */
 static char unfinished[MAX_OPEN][PATH_MAX];
-static volatile sig_atomic_t in_use[MAX_OPEN], pending, deferred;
+static volatile sig_atomic_t in_use[MAX_OPEN], deferred;
+static atomic_int pending; /* the signal may come to any thread, and all ask for it */
 
 static void remove_unfinished(void)
 {
@@ -30,8 +32,9 @@ static void remove_unfinished(void)
 static void on_signal(int sig)
 {
     if (deferred && (sig == SIGINT || sig == SIGTERM)) {
-        if (!pending) /* once, however often it comes: timeout(1) sends it twice */
-            pending = sig;
+        int none = 0; /* the first counts, however many come: timeout(1) sends it twice */
+
+        atomic_compare_exchange_strong(&pending, &none, sig);
         return;
     }
     remove_unfinished();

@@ -80,6 +80,7 @@ tail -n +2 rows | awk -F, '{ printf "%s,%.15g\n", $1, $2 }' >printed
 same wanted printed 'a row for each frequency'
 runs 0 'a sweep cut by time.end' diffverf $sweep --set time.end=15 rope.ini
 holds 'f[n, 3] < 15 && n >= 1' out 'ends there'
+says 'time.end = 15 s comes before the end of the sweep at ' 'is told'
 runs 0 'without seed' diffverf $sweep --set sweep.seed=0 --set 'disturbance push.mode=' \
     --set 'disturbance push.amplitude=' rope.ini
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "v3_1_greatest_m") c = i; next }

@@ -244,6 +244,10 @@ if command -v gnuplot >/dev/null 2>&1; then
     runs 0 'plot/sweep: a table' "$top/scripts/plot/sweep" rise.csv fall.csv - curves.png
     png curves.png
     ok $? 'plot/sweep: a picture'
+    { cat rise.csv; sed 1d fall.csv; } >both.csv
+    runs 0 'plot/sweep: both ways in one table' "$top/scripts/plot/sweep" both.csv - - both.png
+    cmp -s curves.png both.png && [ ! -s err ]
+    ok $? 'plot/sweep: the same picture, nothing on stderr'
     runs 0 'sweep-seil1' env RATE=0.01 "$experiments/sweep-seil1/run" sweep
     same out sweep/table.txt 'sweep-seil1: prints its table'
     [ ! -s err ]
