@@ -186,6 +186,31 @@ static void remark(void)
     }
 }
 
+/* In water ropes seldom hang below all that holds them: most of them would lie on a bed. */
+static void warn_of_bed(void)
+{
+    double bottom = INFINITY, lowest = INFINITY;
+    int which = -1;
+
+    for (int i = 0; i < all.net.n; i++)
+        if (all.net.node[i].held & 4)
+            bottom = fmin(bottom, all.net.node[i].x[2]);
+    for (int r = 0; r < all.net.m; r++) {
+        const struct net_rope *p = &all.net.rope[r];
+        double ta[3], tb[3], low;
+
+        net_ends(&all.net, &state, r, ta, tb);
+        low = state.x[3 * p->a + 2] + rope_lowest(&p->rope, ta);
+        if (low < lowest) {
+            lowest = low;
+            which = r;
+        }
+    }
+    if (c.density > 0 && which >= 0 && lowest < bottom - 1e-6 * state.size)
+        warn("rope '%s' hangs %.3g m below the lowest node that is held: there is no bed",
+             system_rope(&all, which), bottom - lowest);
+}
+
 /* The nodes a,b,... of --stiffness; their number. */
 static int choose(int *ret)
 {
@@ -308,6 +333,7 @@ int main(int argc, char **argv)
         must(r.status, &why);
     }
     remark();
+    warn_of_bed();
     if (args.verify)
         r.difference = verify();
     print_results(&r);
