@@ -6,6 +6,9 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 #include <suitesparse/cholmod.h>
 
 #define NESTED 20000 /* unknowns */
@@ -137,10 +140,25 @@ static enum status status_of(const cholmod_common *c)
     return c->status == CHOLMOD_OUT_OF_MEMORY || c->status == CHOLMOD_TOO_LARGE ? SW_NOMEM : SW_OK;
 }
 
+/* CHOLMOD copies supernodes in teams of four threads, however few cores there are and however small
+ * the supernodes: it is quicker alone.  Returns what to restore. */
+static int levels(int now)
+{
+#ifdef _OPENMP
+    int before = omp_get_max_active_levels();
+
+    omp_set_max_active_levels(now);
+    return before;
+#else
+    return now;
+#endif
+}
+
 enum status sparse_factor(struct sparse *A)
 {
     struct sparse_solver *s = A->solver;
     cholmod_sparse a = view(A);
+    int before;
 
     A->failed = -1;
     if (A->n == 0)
@@ -152,7 +170,9 @@ enum status sparse_factor(struct sparse *A)
         s->factor = cholmod_analyze(&a, &s->common);
     if (!s->factor)
         return SW_NOMEM;
+    before = levels(0);
     cholmod_factorize(&a, s->factor, &s->common);
+    levels(before);
     if (status_of(&s->common) != SW_OK)
         return SW_NOMEM;
     if (s->common.status == CHOLMOD_NOT_POSDEF || s->factor->minor < (size_t)A->n) {

@@ -21,6 +21,7 @@
 #define ROUGH 1e-7      /* smoothing, of a rope's load, with which a solution is looked for */
 #define SHARP 1e-12     /* with which it ends */
 #define SHARPEN 50      /* steps for a power of ten between them */
+#define CLOSED 1e-13    /* a gap that no step makes smaller */
 #define POLISH 3        /* steps behind the tolerance that may still bring something */
 #define PART 1e-5       /* of the reference force: less than that is no tension to compare with */
 #define THREADS 512     /* ropes from which threads share them */
@@ -392,7 +393,7 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
         enum status status;
         double factor;
 
-        if (met && (polish++ == POLISH || tolerance == 0))
+        if (met && (polish++ == POLISH || tolerance == 0 || before.largest_gap <= CLOSED))
             break;
         if (s->steps < o->start_steps && o->start != NET_EXACT)
             approximate(net, o, s->t, w);
