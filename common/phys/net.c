@@ -393,7 +393,8 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
         enum status status;
         double factor;
 
-        if (met && (polish++ == POLISH || tolerance == 0 || before.largest_gap <= CLOSED))
+        if (met && (polish++ == POLISH || tolerance == 0 ||
+                    (before.largest_gap <= CLOSED && s->steps > 0)))
             break;
         if (s->steps < o->start_steps && o->start != NET_EXACT)
             approximate(net, o, s->t, w);
