@@ -23,213 +23,6 @@
 #define SHARPEN 50      /* steps for a power of ten between them */
 #define CLOSED 1e-13    /* a gap that no step makes smaller */
 #define POLISH 3        /* steps behind the tolerance that may still bring something */
-#define PART 1e-5       /* of the reference force: less than that is no tension to compare with */
-#define THREADS 512     /* ropes from which threads share them */
-
-static double length(const double x[3])
-{
-    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-}
-
-void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM])
-{
-    double away[3], pull[3], draft = -x[2];
-
-    for (int i = 0; i < 3; i++)
-        away[i] = x[i] - node->anchor[i];
-    sym_times(node->K, away, pull);
-    for (int i = 0; i < 3; i++)
-        f[i] = node->force[i] - pull[i];
-    if (K)
-        memcpy(K, node->K, sizeof node->K);
-    if (!(node->area > 0))
-        return;
-    f[2] += node->area * fmin(fmax(draft, 0), node->height);
-    if (K && draft > 0 && draft < node->height)
-        K[SYM_ZZ] += node->area;
-}
-
-/* A bar between x_a and x_b: tension towards b and stiffness (26).  One that only pulls has none
- * where it is slack; soft, a thousandth of what a rope has that carries the reference, stands for
- * its stiffness in the matrix. */
-static void bar(const struct net_rope *p, const double d[3], double soft, double t[3],
-                double K[SYM])
-{
-    const struct rope *r = &p->rope;
-    double l = length(d), N, along, change, slope;
-
-    if (l > r->L0 && r->law.n > 0) {
-        N = rope_tension(&r->law, l / r->L0 - 1, &slope);
-        slope /= r->L0;
-    } else {
-        N = r->law.EA * (l / r->L0 - 1);
-        slope = r->law.EA / r->L0;
-    }
-    along = N / l;
-    change = (slope - along) / (l * l);
-    if (!(l > 0)) { /* no direction: a spring in all of them */
-        along = slope;
-        change = 0;
-    }
-    if (p->pulls && !(N > 0)) {
-        N = 0;
-        along = soft / r->L0;
-        change = 0;
-    }
-    for (int i = 0; i < 3; i++)
-        t[i] = l > 0 ? N / l * d[i] : i == 2 ? N : 0; /* no length: as if it stood upright */
-    K[SYM_XX] = along + change * d[0] * d[0];
-    K[SYM_XY] = change * d[0] * d[1];
-    K[SYM_XZ] = change * d[0] * d[2];
-    K[SYM_YY] = along + change * d[1] * d[1];
-    K[SYM_YZ] = change * d[1] * d[2];
-    K[SYM_ZZ] = along + change * d[2] * d[2];
-}
-
-/* Chord, stiffness and gap of rope r at t and x. */
-static void evaluate_rope(const struct net *net, const double *x, const double *t, int r,
-                          struct net_work *w)
-{
-    const struct net_rope *p = &net->rope[r];
-    const double *a = x + 3 * p->a, *b = x + 3 * p->b;
-    double *gap = w->gap + 3 * r, *K = w->K + SYM * r, F[SYM], chord[3];
-
-    if (net_is_bar(p)) {
-        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-
-        bar(p, d, w->reference / 1000, w->bar + 3 * r, w->K + SYM * r);
-        gap[0] = gap[1] = gap[2] = 0;
-        return;
-    }
-    rope_chord(&p->rope, t + 3 * r, chord, F);
-    for (int i = 0; i < 3; i++)
-        gap[i] = b[i] - a[i] - chord[i];
-    if (!sym_invert(F, K))
-        memset(K, 0, SYM * sizeof *K);
-}
-
-static void evaluate_ropes(const struct net *net, const double *x, const double *t,
-                           struct net_work *w)
-{
-#pragma omp parallel for if (net->m >= THREADS)
-    for (int r = 0; r < net->m; r++)
-        evaluate_rope(net, x, t, r, w);
-}
-
-/* Tension of rope r at both ends, towards b. */
-static void ends(const struct net *net, const double *t, const struct net_work *w, int r,
-                 double ta[3], double tb[3])
-{
-    const struct net_rope *p = &net->rope[r];
-    double load[3] = {0, 0, 0};
-
-    memcpy(ta, net_is_bar(p) ? w->bar + 3 * r : t + 3 * r, 3 * sizeof *ta);
-    if (!net_is_bar(p))
-        rope_load(&p->rope, load);
-    for (int i = 0; i < 3; i++) {
-        ta[i] += p->rope.offset[i];
-        tb[i] = ta[i] - load[i];
-    }
-}
-
-/* Residual of all nodes at x and t: forces of ropes and from outside. */
-static void evaluate_nodes(const struct net *net, const double *x, const double *t,
-                           struct net_work *w)
-{
-    for (int i = 0; i < net->n; i++)
-        net_node_force(&net->node[i], x + 3 * i, w->residual + 3 * i, w->node_K + SYM * i);
-    for (int r = 0; r < net->m; r++) {
-        const struct net_rope *p = &net->rope[r];
-        double ta[3], tb[3], end[3];
-
-        ends(net, t, w, r, ta, tb);
-        rope_end_load(&p->rope, end);
-        for (int i = 0; i < 3; i++) {
-            w->residual[3 * p->a + i] += ta[i] + end[i];
-            w->residual[3 * p->b + i] += end[i] - tb[i];
-        }
-    }
-}
-
-void net_evaluate(const struct net *net, const double *x, const double *t, struct net_work *w)
-{
-    evaluate_ropes(net, x, t, w);
-    evaluate_nodes(net, x, t, w);
-}
-
-struct net_step net_measure(const struct net *net, const double *t, const struct net_work *w,
-                            struct net_state *s)
-{
-    struct net_step ret = {.factor = 1};
-    int counted = 0;
-
-    s->most = 0;
-    s->scale = PART * w->reference;
-    for (int r = 0; r < net->m; r++) {
-        double gap = length(w->gap + 3 * r) / s->size, ta[3], tb[3];
-
-        ends(net, t, w, r, ta, tb);
-        s->most = fmax(s->most, fmax(length(ta), length(tb)));
-        s->scale = fmax(s->scale, s->most);
-        ret.mean_gap += gap;
-        counted += !net_is_bar(&net->rope[r]);
-        if (!(gap <= ret.largest_gap))
-            ret.largest_gap = gap;
-        gap *= s->size / net->rope[r].rope.L0;
-        if (!(gap <= ret.gap_of_rope))
-            ret.gap_of_rope = gap;
-    }
-    ret.mean_gap /= counted > 0 ? counted : 1;
-    for (int i = 0; i < 3 * net->n; i++) {
-        double missing = w->dof[i] >= 0 ? fabs(w->residual[i]) : 0;
-
-        if (!(missing <= ret.residual)) {
-            ret.residual = missing;
-            s->worst = i / 3;
-        }
-    }
-    return ret;
-}
-
-enum status net_find_step(const struct net *net, struct net_work *w, int *ret_worst)
-{
-    enum status s;
-
-    net_assemble(net, w);
-    for (int i = 0; i < 3 * net->n; i++)
-        if (w->dof[i] >= 0)
-            w->rhs[w->dof[i]] = w->residual[i];
-    for (int r = 0; r < net->m; r++) {
-        const struct net_rope *p = &net->rope[r];
-        double pull[3];
-
-        sym_times(w->K + SYM * r, w->gap + 3 * r, pull);
-        for (int i = 0; i < 3; i++) {
-            if (w->dof[3 * p->a + i] >= 0)
-                w->rhs[w->dof[3 * p->a + i]] += pull[i];
-            if (w->dof[3 * p->b + i] >= 0)
-                w->rhs[w->dof[3 * p->b + i]] -= pull[i];
-        }
-    }
-    s = sparse_factor(&w->A);
-    if (s == SW_INDEFINITE)
-        *ret_worst = net_node_of(net, w, w->A.failed);
-    if (s == SW_OK)
-        s = sparse_solve(&w->A, 1, w->rhs);
-    if (s != SW_OK)
-        return s;
-    for (int i = 0; i < 3 * net->n; i++)
-        w->dx[i] = w->dof[i] >= 0 ? w->rhs[w->dof[i]] : 0;
-    for (int r = 0; r < net->m; r++) {
-        const struct net_rope *p = &net->rope[r];
-        double open[3];
-
-        for (int i = 0; i < 3; i++)
-            open[i] = w->gap[3 * r + i] + w->dx[3 * p->b + i] - w->dx[3 * p->a + i];
-        sym_times(w->K + SYM * r, open, w->dt + 3 * r);
-    }
-    return SW_OK;
-}
 
 /* Trial state: x1, t1 = x, t + factor times the step. */
 static void try_step(const struct net *net, const struct net_state *s, double factor,
@@ -264,11 +57,11 @@ static double round_off(const struct net *net, const struct net_state *s, const 
     for (int r = 0; r < net->m; r++) {
         const struct net_rope *p = &net->rope[r];
         const double *K = w->K + SYM * r;
-        double moved = 0, gap = length(w->gap + 3 * r);
+        double moved = 0, gap = net_length(w->gap + 3 * r);
 
         for (int i = 0; i < 3; i++)
             moved += fabs(w->dx[3 * p->b + i] - w->dx[3 * p->a + i]);
-        sum += length(s->t + 3 * r) * p->rope.L0 +
+        sum += net_length(s->t + 3 * r) * p->rope.L0 +
                (K[SYM_XX] + K[SYM_YY] + K[SYM_ZZ]) * gap * (gap + moved);
     }
     return ROUND_OFF * sum;
@@ -364,7 +157,7 @@ static int stiffen_bars(const struct net *net, const double *x, struct net_work 
         const struct net_rope *p = &net->rope[r];
         const double *a = x + 3 * p->a, *b = x + 3 * p->b;
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-        double *K = w->K + SYM * r, l = length(d), turn = 2 * length(w->bar + 3 * r) / l;
+        double *K = w->K + SYM * r, l = net_length(d), turn = 2 * net_length(w->bar + 3 * r) / l;
 
         if (!net_is_bar(p) || !(l < p->rope.L0) || !(l > 0))
             continue;

@@ -7,6 +7,8 @@
 
 #include "phys/net.h"
 
+#include <math.h>
+
 struct net_work {
     int *dof; /* (n, 3) unknown of each direction of each node, -1: held; owned */
     int unknowns;
@@ -23,6 +25,11 @@ struct net_work {
     /* a step: */
     double *dx, *dt, *x1, *t1, *rhs;
 };
+
+static inline double net_length(const double x[3])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
 
 /* SW_NOMEM. */
 enum status net_work_new(const struct net *net, struct net_work *ret);
