@@ -305,4 +305,12 @@ for net in square hexagonal radial saddle mooring; do
     runs 0 "$net: solved" gapnet -d "net-$net/solved" "net-$net/system.ini"
     runs 0 "$net: proven" gapcheck "net-$net/solved"
 done
+runs 0 'mooring: again' gapnet net-mooring/system.ini
+[ ! -s err ]
+ok $? 'mooring: without a warning'
+awk -F, '$1 == "float" { below = $4 < 0 } END { exit !below }' net-mooring/solved/nodes.csv
+ok $? 'mooring: its float is submerged'
+runs 0 'mooring: longer chains' "$top/scripts/net/mooring" net-long 6 100 60 130
+runs 0 'mooring: longer chains: solved' gapnet -d net-long/solved net-long/system.ini
+says "m below the lowest node that is held: there is no bed" 'sag below the anchors is told'
 finish
