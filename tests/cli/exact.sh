@@ -61,8 +61,8 @@ for_all 'near(c["offset_lost_m"], 0.301429768, 1e-6) && near(c["capsizing_deg"],
 for exact in '' --exact; do
     sling $exact $lift --set offset_m=0.3 >out
     for_all 'c["verdict"] == "stable"' out "offset just below it${exact:+, exact}"
-    sling $exact $lift --set offset_m=0.303 >out
-    for_all 'c["verdict"] == "unstable" && c["why"] ~ /offset of 0.303 m capsizes it/ && c["h_m"] > 1' \
+    sling $exact $lift --set offset_m=0.302 >out
+    for_all 'c["verdict"] == "unstable" && c["why"] ~ /offset of 0.302 m capsizes it/ && c["h_m"] > 1' \
         out "offset just beyond${exact:+, exact}"
 done
 sling $lift --set offset_m=0.29 --set offset_m_tol=0.02 >out
