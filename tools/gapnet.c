@@ -221,12 +221,8 @@ static int choose(int *ret)
         die(SW_USAGE, "option --stiffness: names of nodes are expected");
     while (*p) {
         size_t length = strcspn(p, ",");
-        int found = -1;
+        int found = roll_search(&all.nodes, p, length);
 
-        for (int i = 0; i < all.net.n; i++)
-            if (strlen(system_node(&all, i)) == length &&
-                strncmp(system_node(&all, i), p, length) == 0)
-                found = i;
         if (found < 0)
             die(SW_USAGE, "option --stiffness: there is no node '%.*s'", (int)length, p);
         for (int i = 0; i < k; i++)

@@ -120,14 +120,18 @@ static enum status take_nodes(struct tables *p, struct why *why)
 
 static enum status take_ropes(struct tables *p, struct why *why)
 {
-    struct sheet_index index;
-    enum status s = sheet_sort(&p->nodes, NODE, &index, why);
+    struct roll names = {.n = 0};
+    struct roll_index index = {NULL, 0};
+    enum status s = sheet_roll(&p->nodes, NODE, &names, why);
+
+    if (s == SW_OK)
+        s = roll_sort(&names, &index, why);
 
     for (int r = 0; r < p->ropes.n && s == SW_OK; r++) {
         double elements;
 
-        p->a[r] = sheet_find(&p->nodes, NODE, &index, sheet_text(&p->ropes, r, A));
-        p->b[r] = sheet_find(&p->nodes, NODE, &index, sheet_text(&p->ropes, r, B));
+        p->a[r] = roll_find(&names, &index, sheet_text(&p->ropes, r, A));
+        p->b[r] = roll_find(&names, &index, sheet_text(&p->ropes, r, B));
         if (p->a[r] < 0 || p->b[r] < 0)
             s = sheet_fail(why, &p->ropes, r, "an end is no node of the table");
         if (s == SW_OK)
@@ -147,7 +151,8 @@ static enum status take_ropes(struct tables *p, struct why *why)
         p->elements[r] = s == SW_OK ? (int)elements : 0;
         p->hooke[r] = strcmp(sheet_text(&p->ropes, r, LAW), "hooke") == 0;
     }
-    free(index.row);
+    free(index.at);
+    roll_free(&names);
     return s;
 }
 

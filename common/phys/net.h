@@ -26,18 +26,36 @@ struct net_node {
     double anchor[3]; /* [m] */
     double area;      /* float: buoyancy per depth of its bottom, the node, below z = 0 [N/m] */
     double height;    /* depth at which it is submerged [m] */
+    double drag;      /* in a current: density cda/2 [kg/m] */
+    int body;         /* number of the rigid body that carries it, from 1; 0: none.  Such a node is
+                         held, x follows from the body */
+    double arm[3];    /* place on the body, in its axes [m] */
+};
+
+/* A rigid body with six freedoms, all held or all free. */
+struct net_body {
+    int held;
+    double x[3], R[9];   /* place of its origin [m], axes as columns, row-major */
+    double weight, lift; /* [N]; lift: buoyancy when cb is at level */
+    double cg[3], cb[3]; /* centres of gravity and buoyancy, in its axes [m] */
+    double area, level;  /* buoyancy per depth of cb below level [N/m], [m] */
 };
 
 struct net_rope {
     int a, b;  /* nodes */
     int pulls; /* a rope of one element: whether it carries tension only */
     struct rope rope;
+    double across, along; /* in a current: density cd diameter/2, density cd_axial pi diameter/2 */
+    double friction;      /* on the bed */
 };
 
 struct net {
     int n, m;              /* nodes, ropes */
     struct net_node *node; /* (n); owned by the caller, like the next */
     struct net_rope *rope; /* (m) */
+    int bodies;
+    struct net_body *body; /* (bodies) */
+    const struct sea *sea; /* or NULL */
 };
 
 enum net_method { NET_GAP, NET_DISPLACEMENT, NET_IMAGINARY };

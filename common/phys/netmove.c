@@ -85,8 +85,10 @@ static enum status new_fine(const struct net *net, const struct net_options *o, 
         n += (size_t)joints(&net->rope[r]);
         m += (size_t)net->rope[r].rope.elements;
     }
-    *fine = (struct net){(int)n, (int)m, mem_zeroed(n, sizeof *fine->node),
-                         mem_zeroed(m, sizeof *fine->rope)};
+    *fine = (struct net){.n = (int)n,
+                         .m = (int)m,
+                         .node = mem_zeroed(n, sizeof *fine->node),
+                         .rope = mem_zeroed(m, sizeof *fine->rope)};
     *first = mem_zeroed((size_t)net->m, sizeof **first);
     *s = (struct net_state){.x = mem_doubles(3 * n),
                             .t = mem_doubles(3 * m),

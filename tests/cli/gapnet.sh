@@ -251,7 +251,7 @@ refused 'no ropes' 'has no ropes' --set tables.ropes=none.csv
 printf 'rope,node_a,node_b,type,length_m\n1,B1,B2,rope,5\n' >mooring/loose.csv
 refused 'a part that drifts' 'no rope leads from here to anything that is held' \
     --set tables.ropes=loose.csv
-refused 'an unknown key' "unknown key 'depth' in [environment]" --set environment.depth=50
+refused 'an unknown key' "unknown key 'salinity' in [environment]" --set environment.salinity=35
 refused 'an unknown method' "option --method: 'force' is not one of: gap displacement imaginary" \
     --method force
 refused 'an unknown node of stiffness' "there is no node 'Q'" --stiffness A1,Q
