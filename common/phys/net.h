@@ -88,19 +88,14 @@ struct net_step {
     double factor;                /* by which the step was shortened */
 };
 
-/* Ropes that were split: their joints. */
-struct net_joints {
-    int *first; /* (m + 1) first point of each rope; a rope that was not split: none */
-    struct rope_point *point; /* ends and joints */
-};
-
 struct net_state {
-    double *x;                /* (n, 3) positions [m]; owned */
-    double *end;              /* (m, 6) tension at a, then at b, both towards b [N]; owned */
-    double *bed;              /* (n, 3) what the bed does to the nodes [N]; owned */
-    double *drag;             /* (n, 3) what the current does to them and the halves of the ropes'
-                                 elements that end there [N]; owned */
-    struct net_joints joints; /* owned; NULL: none was split */
+    double *x;             /* (n, 3) positions [m]; owned */
+    double *end;           /* (m, 6) tension at a, then at b, both towards b [N]; owned */
+    double *push;          /* (n) of the bed, upward [N]; owned */
+    double hard;           /* with which it was looked for [N/m]; 0: no bed */
+    double *drag;          /* (n, 3) what the current does to them and the halves of the ropes'
+                              elements that end there [N]; owned */
+    struct net_fine *fine; /* the net with ropes split, and its state; NULL: none was; owned */
     double *t;             /* (m, 3) tension at a, towards b, less the rope's offset [N]; owned */
     double *residual;      /* (n, 3) what is missing at the nodes [N]; at held ones minus the
                               support's reaction; owned */

@@ -12,8 +12,10 @@
 #define LESS 0.5     /* of a renewal, where the last one did not bring loads nearer */
 #define MORE 1.5     /* and where it did */
 #define LEAST 0.02   /* of it, at the least */
-#define NEAR 1e-6    /* of the size and the largest tension: the bed's push is told by such a state */
-#define DRY 100      /* steps of a first try without the bed */
+#define NEAR                                                                                       \
+    1e-6        /* of the size and the largest tension: the bed's push is told by such a state     \
+                 */
+#define DRY 100 /* steps of a first try without the bed */
 
 /* A net in the sea on its way to balance. */
 struct voyage {
@@ -302,86 +304,40 @@ static enum status travel(struct voyage *v, const struct net_split *split, int r
     return net_conclude(v->net, v->o, status, &v->w, v->s);
 }
 
-/* What bed and current do to the nodes. */
+/* What the current does to the first n nodes. */
 static void report(const struct voyage *v, int n, struct net_state *ret)
 {
-    double gradient[2];
-
-    for (int i = 0; i < 3 * n; i++)
-        ret->drag[i] = v->load[i];
-    for (int i = 0; i < n && v->w.hard > 0; i++) {
-        bed_at(&v->net->sea->bed, v->s->x[3 * i], v->s->x[3 * i + 1], gradient);
-        ret->bed[3 * i] = -v->w.push[i] * gradient[0];
-        ret->bed[3 * i + 1] = -v->w.push[i] * gradient[1];
-        ret->bed[3 * i + 2] = v->w.push[i];
-    }
-}
-
-/* Joints of the rope that was split into the elements first..last, seen from its node a. */
-static void list_joints(const struct voyage *v, int first, int last, struct rope_point *point)
-{
-    const struct net *net = v->net;
-    const double *x = v->s->x, *a = x + 3 * net->rope[first].a;
-
-    point[0] = (struct rope_point){.s = 0};
-    for (int r = first; r <= last; r++, point++) {
-        const struct net_rope *p = &net->rope[r];
-        const double *end = v->s->end + 6 * r, *b = x + 3 * p->b;
-        double gradient[2], slope, push = v->w.hard > 0 ? v->w.push[p->b] : 0;
-        struct rope_point *next = point + 1;
-
-        memcpy(point->t, end, sizeof point->t);
-        point->strain = rope_strain(&p->rope.law, net_length(end), &slope);
-        *next = (struct rope_point){.s = (r - first + 1) * p->rope.L0, .strain = point->strain};
-        bed_at(&net->sea->bed, b[0], b[1], gradient);
-        for (int i = 0; i < 3; i++) {
-            next->x[i] = b[i] - a[i];
-            next->t[i] = end[3 + i];
-            next->load[i] =
-                r < last ? net->node[p->b].force[i] + push * (i < 2 ? -gradient[i] : 1) : 0;
-        }
-        next->bed = r < last ? push : 0;
-    }
+    memcpy(ret->drag, v->load, 3 * sizeof *ret->drag * (size_t)n);
 }
 
 /* From the fine net's state to that of the coarse one. */
-static enum status gather(const struct voyage *v, const struct net *net,
-                          const struct net_split *split, struct net_state *ret)
+static void gather(const struct net *net, const struct net_split *split, const struct net_state *s,
+                   struct net_state *ret)
 {
-    size_t n = 3 * (size_t)net->n;
-    int count = 0;
+    size_t n = (size_t)net->n;
 
-    memcpy(ret->x, v->s->x, n * sizeof *ret->x);
-    memcpy(ret->residual, v->s->residual, n * sizeof *ret->residual);
-    memcpy(ret->step, v->s->step, sizeof *ret->step * ((size_t)v->s->steps + 1));
-    ret->steps = v->s->steps;
-    ret->size = v->s->size;
-    ret->most = v->s->most;
-    ret->scale = v->s->scale;
-    ret->worst = v->s->worst < net->n ? v->s->worst : -1;
-    ret->joints.first = mem_zeroed((size_t)net->m + 1, sizeof *ret->joints.first);
-    ret->joints.point = mem_zeroed((size_t)v->net->m + (size_t)net->m, sizeof *ret->joints.point);
-    if (!ret->joints.first || !ret->joints.point)
-        return SW_NOMEM;
+    memcpy(ret->x, s->x, 3 * n * sizeof *ret->x);
+    memcpy(ret->residual, s->residual, 3 * n * sizeof *ret->residual);
+    memcpy(ret->push, s->push, n * sizeof *ret->push);
+    memcpy(ret->drag, s->drag, 3 * n * sizeof *ret->drag);
+    memcpy(ret->step, s->step, sizeof *ret->step * ((size_t)s->steps + 1));
+    ret->steps = s->steps;
+    ret->size = s->size;
+    ret->most = s->most;
+    ret->scale = s->scale;
+    ret->hard = s->hard;
+    ret->worst = s->worst < net->n ? s->worst : -1;
     for (int r = 0; r < net->m; r++) {
         int first = split->first[r], last = split->first[r + 1] - 1;
 
-        memcpy(ret->t + 3 * r, v->s->t + 3 * first, 3 * sizeof *ret->t);
-        memcpy(ret->end + 6 * r, v->s->end + 6 * first, 3 * sizeof *ret->end);
-        memcpy(ret->end + 6 * r + 3, v->s->end + 6 * last + 3, 3 * sizeof *ret->end);
-        ret->joints.first[r] = count;
-        net->rope[r].over = v->net->rope[first].over;
-        if (!v->net->rope[first].cut &&
-            v->net->rope[first].rope.elements == net->rope[r].rope.elements && first == last)
-            continue;
-        list_joints(v, first, last, ret->joints.point + count);
-        count += last - first + 2;
+        memcpy(ret->t + 3 * r, s->t + 3 * first, 3 * sizeof *ret->t);
+        memcpy(ret->end + 6 * r, s->end + 6 * first, 3 * sizeof *ret->end);
+        memcpy(ret->end + 6 * r + 3, s->end + 6 * last + 3, 3 * sizeof *ret->end);
+        net->rope[r].over = split->fine.rope[first].over;
     }
-    ret->joints.first[net->m] = count;
-    return SW_OK;
 }
 
-/* With ropes as they are, or split. */
+/* With ropes as they are. */
 static enum status solve_whole(struct net *net, const struct net_options *o,
                                const struct net_state *dry, struct net_state *ret)
 {
@@ -396,33 +352,28 @@ static enum status solve_whole(struct net *net, const struct net_options *o,
     return s;
 }
 
+/* With ropes split; loads stay at the fine net's nodes. */
 static enum status solve_split(const struct net *net, const struct net_options *o, const int *parts,
                                struct net_state *ret)
 {
-    struct net_split split = {.first = NULL};
-    struct net_state fine = {.x = NULL};
+    struct net_fine *fine = mem_zeroed(1, sizeof *fine);
     struct voyage v = {.net = NULL};
-    enum status s = net_state_new(net, o, ret), end = SW_NOMEM;
+    enum status s = net_state_new(net, o, ret);
 
+    ret->fine = fine;
+    if (!fine || s != SW_OK)
+        return SW_NOMEM;
+    s = net_split_new(net, parts, o->method == NET_GAP, &fine->split);
     if (s == SW_OK)
-        s = net_split_new(net, parts, o->method == NET_GAP, &split);
+        s = new_voyage(&fine->split.fine, o, &fine->state, &v);
     if (s == SW_OK)
-        s = new_voyage(&split.fine, o, &fine, &v);
-    if (s == SW_OK)
-        s = travel(&v, &split, net->m, NULL);
-    if (s == SW_OK || s == SW_NOCONV) {
-        end = gather(&v, net, &split, ret);
-        if (end != SW_OK)
-            s = end;
-        else
-            report(&v, net->n, ret);
-    } else if (s == SW_INDEFINITE) {
-        ret->worst = fine.worst < net->n ? fine.worst : -1;
+        s = travel(&v, &fine->split, net->m, NULL);
+    if (s == SW_OK || s == SW_NOCONV || s == SW_INDEFINITE) {
+        report(&v, v.net->n, &fine->state);
+        gather(net, &fine->split, &fine->state, ret);
     }
     if (v.net)
         end_voyage(&v);
-    net_state_free(&fine);
-    net_split_free(&split);
     return s;
 }
 

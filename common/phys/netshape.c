@@ -11,25 +11,59 @@ void net_ends(const struct net *net, const struct net_state *s, int r, double ta
     memcpy(tb, s->end + 6 * r + 3, 3 * sizeof *tb);
 }
 
-/* Points of a rope that was split, and their number; 0: it was not. */
-static int joints(const struct net_state *s, int r, const struct rope_point **ret)
+/* Elements of a rope that was split; 0: it was not. */
+static int elements_of(const struct net *net, const struct net_state *s, int r, int *ret_first)
 {
-    if (!s->joints.first)
+    const int *first = s->fine ? s->fine->split.first : NULL;
+
+    if (!first || net_is_bar(&net->rope[r]) ||
+        (first[r + 1] - first[r] == 1 && !s->fine->split.fine.rope[first[r]].cut))
         return 0;
-    *ret = s->joints.point + s->joints.first[r];
-    return s->joints.first[r + 1] - s->joints.first[r];
+    *ret_first = first[r];
+    return first[r + 1] - first[r];
+}
+
+/* Joints of a rope that was split into n elements from `first` on, seen from its node a. */
+static void list_joints(const struct net *net, const struct net_fine *fine, int first, int n,
+                        struct rope_point *point)
+{
+    const struct net *split = &fine->split.fine;
+    const struct net_state *s = &fine->state;
+    const double *a = s->x + 3 * split->rope[first].a;
+
+    *point = (struct rope_point){.s = 0};
+    for (int k = 0; k < n; k++, point++) {
+        const struct net_rope *p = &split->rope[first + k];
+        const double *end = s->end + 6 * (first + k), *b = s->x + 3 * p->b;
+        double gradient[2], slope, push = k < n - 1 ? s->push[p->b] : 0;
+        struct rope_point *next = point + 1;
+
+        bed_at(&net->sea->bed, b[0], b[1], gradient);
+        memcpy(point->t, end, sizeof point->t);
+        point->strain = rope_strain(&p->rope.law, net_length(end), &slope);
+        *next =
+            (struct rope_point){.s = (k + 1) * p->rope.L0, .strain = point->strain, .bed = push};
+        for (int i = 0; i < 3; i++) {
+            next->x[i] = b[i] - a[i];
+            next->t[i] = end[3 + i];
+            if (k < n - 1)
+                next->load[i] = split->node[p->b].force[i] + s->drag[3 * p->b + i] +
+                                push * (i < 2 ? -gradient[i] : 1);
+        }
+        if (k < n - 1)
+            memcpy(next->t, end + 6, sizeof next->t);
+    }
 }
 
 int net_points(const struct net *net, const struct net_state *s, int r, struct rope_point *ret)
 {
     const struct net_rope *p = &net->rope[r];
     const double *a = s->x + 3 * p->a, *b = s->x + 3 * p->b;
-    const struct rope_point *point;
-    int n = joints(s, r, &point);
+    int first, n = elements_of(net, s, r, &first);
 
     if (n > 0) {
-        memcpy(ret, point, (size_t)n * sizeof *ret);
-        return n;
+        list_joints(net, s->fine, first, n, ret);
+        return n + 1;
     }
     if (p->over)
         return net_over_points(net, p, a, b, ret);
@@ -50,19 +84,22 @@ static void outline_bar(const struct net_rope *p, const double *a, const double 
     ret->most = ret->least = ret->length < p->rope.L0 ? -tension : tension; /* compression */
 }
 
-/* Of joints, n of them: elements carry the tension behind their first joint. */
-static void outline_joints(const struct rope_point *point, int n, double z, struct net_outline *ret)
+/* Of a rope that was split into n elements. */
+static void outline_split(const struct net_fine *fine, int first, int n, struct net_outline *ret)
 {
-    *ret = (struct net_outline){.least = INFINITY, .lowest = INFINITY, .elements = n - 1};
-    for (int k = 0; k < n; k++) {
-        double T = net_length(point[k].t), l = k + 1 < n ? point[k + 1].s - point[k].s : 0;
+    const struct net_state *s = &fine->state;
+
+    *ret = (struct net_outline){.least = INFINITY, .lowest = INFINITY, .elements = n};
+    for (int r = first; r < first + n; r++) {
+        const struct net_rope *p = &fine->split.fine.rope[r];
+        double T = net_length(s->end + 6 * r), slope;
 
         ret->most = fmax(ret->most, T);
         ret->least = fmin(ret->least, T);
-        ret->lowest = fmin(ret->lowest, z + point[k].x[2]);
-        ret->length += l * (1 + point[k].strain);
-        if (k > 0 && k + 1 < n && point[k].bed > 0)
-            ret->flat += l;
+        ret->lowest = fmin(ret->lowest, fmin(s->x[3 * p->a + 2], s->x[3 * p->b + 2]));
+        ret->length += p->rope.L0 * (1 + rope_strain(&p->rope.law, T, &slope));
+        if (r < first + n - 1 && s->push[p->b] > 0)
+            ret->flat += p->rope.L0;
     }
 }
 
@@ -70,11 +107,10 @@ void net_outline(const struct net *net, const struct net_state *s, int r, struct
 {
     const struct net_rope *p = &net->rope[r];
     const double *a = s->x + 3 * p->a, *b = s->x + 3 * p->b;
-    const struct rope_point *point;
-    int n = joints(s, r, &point);
+    int first, n = elements_of(net, s, r, &first);
 
     if (n > 0) {
-        outline_joints(point, n, a[2], ret);
+        outline_split(s->fine, first, n, ret);
         return;
     }
     if (p->over) {

@@ -14,10 +14,11 @@ enum status net_state_new(const struct net *net, const struct net_options *o, st
     s->t = mem_doubles(m);
     s->end = mem_doubles(2 * m);
     s->residual = mem_doubles(n);
-    s->bed = mem_doubles(n);
+    s->push = mem_doubles((size_t)net->n);
     s->drag = mem_doubles(n);
     s->step = mem_zeroed((size_t)o->steps + 1, sizeof *s->step);
-    return s->x && s->t && s->end && s->residual && s->bed && s->drag && s->step ? SW_OK : SW_NOMEM;
+    return s->x && s->t && s->end && s->residual && s->push && s->drag && s->step ? SW_OK
+                                                                                  : SW_NOMEM;
 }
 
 void net_state_free(struct net_state *s)
@@ -26,11 +27,10 @@ void net_state_free(struct net_state *s)
     free(s->t);
     free(s->end);
     free(s->residual);
-    free(s->bed);
+    free(s->push);
     free(s->drag);
     free(s->step);
-    free(s->joints.first);
-    free(s->joints.point);
+    net_fine_free(s->fine);
     *s = (struct net_state){.x = NULL};
 }
 
@@ -55,6 +55,9 @@ enum status net_conclude(const struct net *net, const struct net_options *o, enu
         return s;
     memcpy(ret->residual, w->residual, 3 * sizeof *ret->residual * (size_t)net->n);
     take_ends(net, w, ret);
+    ret->hard = w->hard;
+    if (w->hard > 0)
+        memcpy(ret->push, w->push, sizeof *ret->push * (size_t)net->n);
     end = net_measure(net, ret->t, w, ret);
     end.factor = ret->step[ret->steps].factor;
     ret->step[ret->steps] = end; /* what there is, by whatever method */

@@ -77,3 +77,12 @@ void net_split_free(struct net_split *s)
     free(s->first);
     *s = (struct net_split){.first = NULL};
 }
+
+void net_fine_free(struct net_fine *f)
+{
+    if (!f)
+        return;
+    net_split_free(&f->split);
+    net_state_free(&f->state);
+    free(f);
+}

@@ -25,6 +25,13 @@ struct net_split {
 enum status net_split_new(const struct net *net, const int *parts, int cut, struct net_split *ret);
 void net_split_free(struct net_split *s);
 
+struct net_fine {
+    struct net_split split;
+    struct net_state state;
+};
+
+void net_fine_free(struct net_fine *f);
+
 struct net_work {
     int *dof; /* (n, 3) unknown of each direction of each node, -1: held; owned */
     int unknowns;
