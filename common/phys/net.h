@@ -31,10 +31,11 @@ struct net_node {
     double anchor[3]; /* [m] */
     double area;      /* float: buoyancy per depth of its bottom, the node, below z = 0 [N/m] */
     double height;    /* depth at which it is submerged [m] */
-    double drag;      /* in a current: density cda/2 [kg/m] */
-    int body;         /* number of the rigid body that carries it, from 1; 0: none.  Such a node is
-                         held, x follows from the body */
-    double arm[3];    /* place on the body, in its axes [m] */
+    double way[2]; /* of a joint: heading of its rope, in which alone the bed pushes; 0, 0: all */
+    double drag;   /* in a current: density cda/2 [kg/m] */
+    int body;      /* number of the rigid body that carries it, from 1; 0: none.  Such a node is
+                      held, x follows from the body */
+    double arm[3]; /* place on the body, in its axes [m] */
 };
 
 /* A rigid body with six freedoms, all held or all free. */
@@ -104,7 +105,8 @@ struct net_state {
     double scale;          /* the same, but not below 1e-5 of the loads over the held nodes */
     struct net_step *step; /* (steps + 1) history; owned */
     int steps;
-    int worst; /* node with the largest residual, or what makes it a mechanism */
+    double adrift; /* what free bodies are out of balance, over the largest tension or weight */
+    int worst;     /* node with the largest residual, or what makes it a mechanism */
 };
 
 /* Words for a net that has no answer, or NULL: ends of ropes, lengths, stiffnesses, connection to
@@ -151,9 +153,22 @@ enum status net_stiffness(const struct net *net, const struct net_state *s, cons
  * The same of a rigid body that carries the chosen nodes, about a point: K (6, 6), column-major,
  * force and moment [N, N m] needed per displacement and small rotation [m, rad].  The forces that
  * hold the nodes turn their levers with the body: with p the force on a node at r from the point, a
- * rotation w brings r p.w - (p.r) w to the moment.
+ * rotation w brings r p.w - (p.r) w to the moment.  Free bodies that carry none of the nodes
+ * follow.
  */
 enum status net_body_stiffness(const struct net *net, const struct net_state *s, const int *chosen,
                                int k, const double about[3], double K[36]);
+
+/* Put the nodes of a body where its place and axes have them. */
+void net_place_body(struct net *net, int body);
+
+/* Force and moment about a point that the nodes of a body bring it (ropes and their own loads), and
+ * those of its weight and buoyancy [N, N m]. */
+void net_body_forces(const struct net *net, const struct net_state *s, int body,
+                     const double about[3], double lines[6], double own[6]);
+
+/* net_solve, and free bodies moved until they are in balance, by Newton's method with damping.
+ * SW_NOCONV: they are not; ret->adrift tells by how much. */
+enum status net_settle(struct net *net, const struct net_options *o, struct net_state *ret);
 
 #endif

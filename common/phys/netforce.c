@@ -119,21 +119,42 @@ void net_ends_now(const struct net *net, const double *t, const struct net_work 
     }
 }
 
+/* Where the bed pushes node i to, per unit upwards; joints of ropes in the rope's heading only. */
+void net_bed_normal(const struct net *net, const double *x, int i, double n[3])
+{
+    const double *way = net->node[i].way;
+    double g[2], along;
+
+    bed_at(&net->sea->bed, x[3 * i], x[3 * i + 1], g);
+    along = g[0] * way[0] + g[1] * way[1];
+    for (int c = 0; c < 2; c++)
+        n[c] = way[0] == 0 && way[1] == 0 ? -g[c] : -along * way[c];
+    n[2] = 1;
+}
+
+void net_add_bed(const struct net *net, const double *x, int i, double hard, struct net_work *w)
+{
+    double n[3];
+
+    net_bed_normal(net, x, i, n);
+    for (int c = 0, at = 0; c < 3; c++)
+        for (int d = c; d < 3; d++, at++)
+            w->node_K[SYM * i + at] += hard * n[c] * n[d];
+}
+
 /* The bed under node i at x: it pushes as it is counted on, less where the node is above it, more
  * where it sinks in; nodes that are held in height are left alone. */
 static void push_up(const struct net *net, const double *x, int i, struct net_work *w)
 {
-    double slope[2], deep = bed_at(&net->sea->bed, x[3 * i], x[3 * i + 1], slope) - x[3 * i + 2];
-    const double n[3] = {-slope[0], -slope[1], 1};
+    double n[3], deep = bed_at(&net->sea->bed, x[3 * i], x[3 * i + 1], NULL) - x[3 * i + 2];
 
     w->push[i] = net->node[i].held & 4 ? 0 : fmax(0, w->lean[i] + w->hard * deep);
     if (!(w->push[i] > 0))
         return;
+    net_bed_normal(net, x, i, n);
     for (int c = 0; c < 3; c++)
         w->residual[3 * i + c] += w->push[i] * n[c];
-    for (int c = 0, at = 0; c < 3; c++)
-        for (int d = c; d < 3; d++, at++)
-            w->node_K[SYM * i + at] += w->hard * n[c] * n[d];
+    net_add_bed(net, x, i, w->hard, w);
 }
 
 /* Residual of all nodes at x and t: forces of ropes and from outside. */

@@ -112,9 +112,22 @@ static void add_friction(const struct voyage *v, int first, int last, double *f)
     }
 }
 
+/* Joints between the elements first..last: the heading of their rope. */
+static void find_way(const struct voyage *v, int first, int last)
+{
+    const double *a = v->s->x + 3 * v->net->rope[first].a, *b = v->s->x + 3 * v->net->rope[last].b;
+    double d[2] = {b[0] - a[0], b[1] - a[1]}, l = hypot(d[0], d[1]);
+
+    for (int r = first; r < last; r++)
+        for (int c = 0; c < 2; c++)
+            v->net->node[v->net->rope[r].b].way[c] = l > 0 ? d[c] / l : 0;
+}
+
 /* What current and friction do in the present shape. */
 static void look(const struct voyage *v, const struct net_split *split, int ropes)
 {
+    for (int r = 0; r < ropes; r++)
+        find_way(v, split->first[r], split->first[r + 1] - 1);
     memset(v->fresh, 0, 3 * sizeof *v->fresh * (size_t)v->net->n);
     add_drag(v->net, v->s->x, v->fresh);
     for (int r = 0; r < ropes && v->w.hard > 0; r++)

@@ -24,8 +24,7 @@ static int elements_of(const struct net *net, const struct net_state *s, int r, 
 }
 
 /* Joints of a rope that was split into n elements from `first` on, seen from its node a. */
-static void list_joints(const struct net *net, const struct net_fine *fine, int first, int n,
-                        struct rope_point *point)
+static void list_joints(const struct net_fine *fine, int first, int n, struct rope_point *point)
 {
     const struct net *split = &fine->split.fine;
     const struct net_state *s = &fine->state;
@@ -35,10 +34,10 @@ static void list_joints(const struct net *net, const struct net_fine *fine, int 
     for (int k = 0; k < n; k++, point++) {
         const struct net_rope *p = &split->rope[first + k];
         const double *end = s->end + 6 * (first + k), *b = s->x + 3 * p->b;
-        double gradient[2], slope, push = k < n - 1 ? s->push[p->b] : 0;
+        double normal[3], slope, push = k < n - 1 ? s->push[p->b] : 0;
         struct rope_point *next = point + 1;
 
-        bed_at(&net->sea->bed, b[0], b[1], gradient);
+        net_bed_normal(split, s->x, p->b, normal);
         memcpy(point->t, end, sizeof point->t);
         point->strain = rope_strain(&p->rope.law, net_length(end), &slope);
         *next =
@@ -47,8 +46,8 @@ static void list_joints(const struct net *net, const struct net_fine *fine, int 
             next->x[i] = b[i] - a[i];
             next->t[i] = end[3 + i];
             if (k < n - 1)
-                next->load[i] = split->node[p->b].force[i] + s->drag[3 * p->b + i] +
-                                push * (i < 2 ? -gradient[i] : 1);
+                next->load[i] =
+                    split->node[p->b].force[i] + s->drag[3 * p->b + i] + push * normal[i];
         }
         if (k < n - 1)
             memcpy(next->t, end + 6, sizeof next->t);
@@ -62,7 +61,7 @@ int net_points(const struct net *net, const struct net_state *s, int r, struct r
     int first, n = elements_of(net, s, r, &first);
 
     if (n > 0) {
-        list_joints(net, s->fine, first, n, ret);
+        list_joints(s->fine, first, n, ret);
         return n + 1;
     }
     if (p->over)

@@ -117,6 +117,12 @@ void net_evaluate(const struct net *net, const double *x, const double *t, struc
 /* dx and dt of a step from what was last evaluated.  SW_INDEFINITE with the node; SW_NOMEM. */
 enum status net_find_step(const struct net *net, struct net_work *w, int *ret_worst);
 
+/* Direction of the bed's push on node i, upward component 1. */
+void net_bed_normal(const struct net *net, const double *x, int i, double n[3]);
+
+/* node_K of node i with a bed that gives way by 1/hard [m/N]. */
+void net_add_bed(const struct net *net, const double *x, int i, double hard, struct net_work *w);
+
 /* Tension of rope r at both ends, towards b, as last evaluated. */
 void net_ends_now(const struct net *net, const double *t, const struct net_work *w, int r,
                   double ta[3], double tb[3]);

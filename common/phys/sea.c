@@ -83,3 +83,31 @@ void sea_drag(double across, double along, double l, const double c[3], const do
     for (int i = 0; i < 3; i++)
         ret[i] = l * (across * Un * n[i] + along * fabs(Ut) * Ut * c[i]);
 }
+
+/* With n = U - Ut c, Ut = U.c: d(|n| n) = |n| dn + n (n.dn)/|n|, dn = dU - (c.dU) c - (U.dc) c - Ut
+ * dc, d(|Ut| Ut c) = 2 |Ut| (c.dU + U.dc) c + |Ut| Ut dc. */
+void sea_drag_change(double across, double along, double l, const double c[3], const double U[3],
+                     double by_c[9], double by_U[9])
+{
+    double Ut = U[0] * c[0] + U[1] * c[1] + U[2] * c[2], n[3], Un;
+
+    for (int i = 0; i < 3; i++)
+        n[i] = U[i] - Ut * c[i];
+    Un = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for (int j = 0; j < 3; j++) {
+        double nc = 0, nU = 0, dc[3], dU[3];
+
+        for (int i = 0; i < 3; i++) {
+            dc[i] = -U[j] * c[i] - Ut * (i == j);
+            dU[i] = (i == j) - c[j] * c[i];
+            nc += Un > 0 ? n[i] * dc[i] / Un : 0;
+            nU += Un > 0 ? n[i] * dU[i] / Un : 0;
+        }
+        for (int i = 0; i < 3; i++) {
+            by_c[3 * i + j] = l * (across * (Un * dc[i] + nc * n[i]) +
+                                   along * fabs(Ut) * (2 * U[j] * c[i] + Ut * (i == j)));
+            by_U[3 * i + j] =
+                l * (across * (Un * dU[i] + nU * n[i]) + along * 2 * fabs(Ut) * c[j] * c[i]);
+        }
+    }
+}

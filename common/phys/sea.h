@@ -37,4 +37,8 @@ struct sea {
 void sea_drag(double across, double along, double l, const double c[3], const double U[3],
               double ret[3]);
 
+/* Its change with c and U: 3 x 3, rows of the force; c is changed across itself only. */
+void sea_drag_change(double across, double along, double l, const double c[3], const double U[3],
+                     double by_c[9], double by_U[9]);
+
 #endif
