@@ -171,4 +171,20 @@ void net_body_forces(const struct net *net, const struct net_state *s, int body,
  * SW_NOCONV: they are not; ret->adrift tells by how much. */
 enum status net_settle(struct net *net, const struct net_options *o, struct net_state *ret);
 
+#define NET_TUNED 1e-9 /* of the wanted tension */
+
+/* A tension that is wanted at one end of a rope. */
+struct net_target {
+    int rope;
+    int at;         /* the node at that end */
+    double tension; /* [N] */
+    int anchor;     /* the fixed node that is moved for it, level or along the bed, towards or away
+                       from the other end; -1: the rope's length is changed */
+};
+
+/* net_settle with lengths and anchors changed until all tensions are as wanted; they stay changed in
+ * net.  SW_NOCONV: no such lengths or anchors were found. */
+enum status net_tune(struct net *net, const struct net_options *o, const struct net_target *target,
+                     int k, struct net_state *ret);
+
 #endif
