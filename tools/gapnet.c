@@ -70,6 +70,8 @@ static void load(const char *path)
         exit(0);
     }
     must(system_load(path, &c, &all, &why), &why);
+    for (int i = 0; i < all.notes; i++)
+        (all.note[i].warns ? warn : note)("%s", all.note[i].text);
 }
 
 static struct net_options solver_options(int method)
