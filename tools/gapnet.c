@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define SPLIT 5    /* of the elements of a chain: a continuous rope that must be split */
 #define SLACK 1e-8 /* of the largest tension: a rope that carries nothing */
 
 static struct {
@@ -83,6 +84,8 @@ static struct net_options solver_options(int method)
                                 .start = (enum net_stiffness)c.start,
                                 .start_steps = c.start_steps,
                                 .pull = (enum net_pull)c.pull,
+                                .split = SPLIT * c.elements,
+                                .hold = c.drag == DRAG_HOLD,
                                 .tolerance = c.tolerance,
                                 .steps = c.steps};
 }
@@ -162,27 +165,18 @@ static double verify(void)
     return most;
 }
 
-/* Whether rope r is a bar that is shorter than its length. */
-static int is_pushed(int r)
-{
-    const struct net_rope *p = &all.net.rope[r];
-    const double *a = state.x + 3 * p->a, *b = state.x + 3 * p->b;
-
-    return p->rope.elements == 1 &&
-           hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]) < p->rope.L0;
-}
-
 static void remark(void)
 {
     for (int r = 0; r < all.net.m; r++) {
         const struct rope_law *law = &all.net.rope[r].rope.law;
-        double ta[3], tb[3], most, least;
+        struct net_outline line;
+        double most;
 
-        net_ends(&all.net, &state, r, ta, tb);
-        rope_extremes(&all.net.rope[r].rope, ta, &most, &least);
+        net_outline(&all.net, &state, r, &line);
+        most = fabs(line.most);
         if (most > all.type[all.type_of[r]].breaking)
             warn("rope '%s' is over its breaking load: %.6g N", system_rope(&all, r), most);
-        if (law->n > 0 && is_pushed(r) && most > SLACK * state.most)
+        if (law->n > 0 && line.most < 0 && most > SLACK * state.most)
             die(SW_ADMISSIBLE, "rope '%s' is pushed by %.6g N; its tension table starts at nothing",
                 system_rope(&all, r), most);
         if (law->n > 0 && most > law->tension[law->n - 1])
@@ -201,17 +195,16 @@ static void warn_of_bed(void)
         if (all.net.node[i].held & 4)
             bottom = fmin(bottom, all.net.node[i].x[2]);
     for (int r = 0; r < all.net.m; r++) {
-        const struct net_rope *p = &all.net.rope[r];
-        double ta[3], tb[3], low;
+        struct net_outline line;
 
-        net_ends(&all.net, &state, r, ta, tb);
-        low = state.x[3 * p->a + 2] + rope_lowest(&p->rope, ta);
-        if (low < lowest) {
-            lowest = low;
+        net_outline(&all.net, &state, r, &line);
+        if (line.lowest < lowest) {
+            lowest = line.lowest;
             which = r;
         }
     }
-    if (c.density > 0 && which >= 0 && lowest < bottom - 1e-6 * state.size)
+    if (c.density > 0 && all.sea.bed.kind == BED_NONE && which >= 0 &&
+        lowest < bottom - 1e-6 * state.size)
         warn("rope '%s' hangs %.3g m below the lowest node that is held: there is no bed",
              system_rope(&all, which), bottom - lowest);
 }

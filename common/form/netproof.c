@@ -61,12 +61,13 @@ enum {
     S = SLOAD + 3,
     ST,
     STRAIN = ST + 3,
+    BED,
     N_SHAPE
 };
 static const struct sheet_column shape_column[N_SHAPE] = {
     {"rope", 1},      {"joint", 1},    {"x_m", 1},      {"y_m", 1},      {"z_m", 1},
     {"tension_N", 1}, {"load_x_N", 1}, {"load_y_N", 1}, {"load_z_N", 1}, {"s_m", 1},
-    {"tx_N", 1},      {"ty_N", 1},     {"tz_N", 1},     {"strain", 1}};
+    {"tx_N", 1},      {"ty_N", 1},     {"tz_N", 1},     {"strain", 1},   {"bed_N", 0}};
 
 /* Everything as numbers. */
 struct tables {

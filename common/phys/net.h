@@ -11,6 +11,11 @@
  * the step runs downhill; it is shortened where the product of the gaps and residuals with the step
  * would change its sign by more than half.  A rope of one element is a bar, which also carries
  * compression; it takes part through its nodes' positions.  z is up.
+ *
+ * Over a bed (sea.h) continuous ropes take part through their nodes' positions, too, unless none
+ * comes near it.  Chains there, ropes over a grid of depths and all ropes in a current are split
+ * into their elements, each a rope of its own; nodes do not sink into the bed.  Drag and friction
+ * are loads that are held or renewed from step to step (Anhang).
  */
 #ifndef SEILWERK_PHYS_NET_H
 #define SEILWERK_PHYS_NET_H
@@ -44,6 +49,8 @@ struct net_body {
 struct net_rope {
     int a, b;  /* nodes */
     int pulls; /* a rope of one element: whether it carries tension only */
+    int cut;   /* a rope of one element: cut free like longer ones, and no bar */
+    int over;  /* set by net_solve: over a plane bed, by touch.h, for given ends */
     struct rope rope;
     double across, along; /* in a current: density cd diameter/2, density cd_axial pi diameter/2 */
     double friction;      /* on the bed */
@@ -67,6 +74,8 @@ struct net_options {
     enum net_stiffness start; /* stiffness of the first steps */
     int start_steps;
     enum net_pull pull; /* of NET_IMAGINARY */
+    int split;          /* elements of a continuous rope that must be split */
+    int hold;           /* drag is held until the gaps are small, not renewed in each step */
     double tolerance;   /* of gaps over the system's size, and residuals over the largest
                            tension */
     int steps;          /* at the most */
@@ -79,8 +88,19 @@ struct net_step {
     double factor;                /* by which the step was shortened */
 };
 
+/* Ropes that were split: their joints. */
+struct net_joints {
+    int *first; /* (m + 1) first point of each rope; a rope that was not split: none */
+    struct rope_point *point; /* ends and joints */
+};
+
 struct net_state {
-    double *x;             /* (n, 3) positions [m]; owned */
+    double *x;                /* (n, 3) positions [m]; owned */
+    double *end;              /* (m, 6) tension at a, then at b, both towards b [N]; owned */
+    double *bed;              /* (n, 3) what the bed does to the nodes [N]; owned */
+    double *drag;             /* (n, 3) what the current does to them and the halves of the ropes'
+                                 elements that end there [N]; owned */
+    struct net_joints joints; /* owned; NULL: none was split */
     double *t;             /* (m, 3) tension at a, towards b, less the rope's offset [N]; owned */
     double *residual;      /* (n, 3) what is missing at the nodes [N]; at held ones minus the
                               support's reaction; owned */
@@ -109,6 +129,21 @@ void net_node_force(const struct net_node *node, const double x[3], double f[3],
 
 /* End tension of rope r at a and at b, both towards b, for the state s [N]. */
 void net_ends(const struct net *net, const struct net_state *s, int r, double ta[3], double tb[3]);
+
+/* What is told of a rope: largest and least tension [N], stretched length [m], height of its lowest
+ * point [m], unstretched length on the bed [m].  A bar under compression has negative tensions. */
+struct net_outline {
+    double most, least, length, lowest, flat;
+    int elements; /* 0: continuous */
+};
+
+void net_outline(const struct net *net, const struct net_state *s, int r, struct net_outline *ret);
+
+#define NET_POINTS 41 /* points of a continuous rope at the most */
+
+/* Points along rope r, seen from its node a: their number, room for which must be there (elements +
+ * 1, at least NET_POINTS).  Between two of them loads are uniform. */
+int net_points(const struct net *net, const struct net_state *s, int r, struct rope_point *ret);
 
 /*
  * Stiffness of the chosen nodes, condensed on the rest: K (3 k, 3 k), column-major, force needed

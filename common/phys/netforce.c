@@ -71,6 +71,12 @@ static void evaluate_rope(const struct net *net, const double *x, const double *
     const double *a = x + 3 * p->a, *b = x + 3 * p->b;
     double *gap = w->gap + 3 * r, *K = w->K + SYM * r, F[SYM], chord[3];
 
+    if (p->over) {
+        gap[0] = gap[1] = gap[2] = 0;
+        if (!net_over(net, p, a, b, w->pull + 6 * (size_t)r, w->over_K + 36 * (size_t)r))
+            w->pull[6 * (size_t)r] = NAN;
+        return;
+    }
     if (net_is_bar(p)) {
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 
@@ -93,13 +99,17 @@ static void evaluate_ropes(const struct net *net, const double *x, const double 
         evaluate_rope(net, x, t, r, w);
 }
 
-/* Tension of rope r at both ends, towards b. */
-static void ends(const struct net *net, const double *t, const struct net_work *w, int r,
-                 double ta[3], double tb[3])
+void net_ends_now(const struct net *net, const double *t, const struct net_work *w, int r,
+                  double ta[3], double tb[3])
 {
     const struct net_rope *p = &net->rope[r];
     double load[3] = {0, 0, 0};
 
+    if (p->over) {
+        memcpy(ta, w->pull + 6 * (size_t)r, 3 * sizeof *ta);
+        memcpy(tb, w->pull + 6 * (size_t)r + 3, 3 * sizeof *tb);
+        return;
+    }
     memcpy(ta, net_is_bar(p) ? w->bar + 3 * r : t + 3 * r, 3 * sizeof *ta);
     if (!net_is_bar(p))
         rope_load(&p->rope, load);
@@ -109,17 +119,36 @@ static void ends(const struct net *net, const double *t, const struct net_work *
     }
 }
 
+/* The bed under node i at x: it pushes as it is counted on, less where the node is above it, more
+ * where it sinks in; nodes that are held in height are left alone. */
+static void push_up(const struct net *net, const double *x, int i, struct net_work *w)
+{
+    double slope[2], deep = bed_at(&net->sea->bed, x[3 * i], x[3 * i + 1], slope) - x[3 * i + 2];
+    const double n[3] = {-slope[0], -slope[1], 1};
+
+    w->push[i] = net->node[i].held & 4 ? 0 : fmax(0, w->lean[i] + w->hard * deep);
+    if (!(w->push[i] > 0))
+        return;
+    for (int c = 0; c < 3; c++)
+        w->residual[3 * i + c] += w->push[i] * n[c];
+    for (int c = 0, at = 0; c < 3; c++)
+        for (int d = c; d < 3; d++, at++)
+            w->node_K[SYM * i + at] += w->hard * n[c] * n[d];
+}
+
 /* Residual of all nodes at x and t: forces of ropes and from outside. */
 static void evaluate_nodes(const struct net *net, const double *x, const double *t,
                            struct net_work *w)
 {
     for (int i = 0; i < net->n; i++)
         net_node_force(&net->node[i], x + 3 * i, w->residual + 3 * i, w->node_K + SYM * i);
+    for (int i = 0; i < net->n && w->hard > 0; i++)
+        push_up(net, x, i, w);
     for (int r = 0; r < net->m; r++) {
         const struct net_rope *p = &net->rope[r];
         double ta[3], tb[3], end[3];
 
-        ends(net, t, w, r, ta, tb);
+        net_ends_now(net, t, w, r, ta, tb);
         rope_end_load(&p->rope, end);
         for (int i = 0; i < 3; i++) {
             w->residual[3 * p->a + i] += ta[i] + end[i];
@@ -145,11 +174,11 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
     for (int r = 0; r < net->m; r++) {
         double gap = net_length(w->gap + 3 * r) / s->size, ta[3], tb[3];
 
-        ends(net, t, w, r, ta, tb);
+        net_ends_now(net, t, w, r, ta, tb);
         s->most = fmax(s->most, fmax(net_length(ta), net_length(tb)));
         s->scale = fmax(s->scale, s->most);
         ret.mean_gap += gap;
-        counted += !net_is_bar(&net->rope[r]);
+        counted += !net_is_placed(&net->rope[r]);
         if (!(gap <= ret.largest_gap))
             ret.largest_gap = gap;
         gap *= s->size / net->rope[r].rope.L0;

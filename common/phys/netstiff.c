@@ -136,18 +136,6 @@ enum status net_body_stiffness(const struct net *net, const struct net_state *s,
     return status;
 }
 
-void net_ends(const struct net *net, const struct net_state *s, int r, double ta[3], double tb[3])
-{
-    double load[3] = {0, 0, 0};
-
-    if (!net_is_bar(&net->rope[r]))
-        rope_load(&net->rope[r].rope, load);
-    for (int i = 0; i < 3; i++) {
-        ta[i] = s->t[3 * r + i] + net->rope[r].rope.offset[i];
-        tb[i] = ta[i] - load[i];
-    }
-}
-
 /* The first node of i's group, with shorter ways for the next call. */
 static int group_of(int *group, int i)
 {

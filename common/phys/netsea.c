@@ -1,0 +1,458 @@
+/* Systems of ropes over a bed and in a current. */
+#include "num/mem.h"
+#include "phys/network.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define HARD 1e4     /* of the reference force over the size: push for each metre sunk in */
+#define SHALLOW 1e-9 /* of the size: sinking in that is none */
+#define LESS 0.5     /* of a renewal, where the last one did not bring loads nearer */
+#define MORE 1.5     /* and where it did */
+#define LEAST 0.02   /* of it, at the least */
+#define NEAR 1e-6    /* of the size and the largest tension: the bed's push is told by such a state */
+#define DRY 100      /* steps of a first try without the bed */
+
+/* A net in the sea on its way to balance. */
+struct voyage {
+    struct net *net; /* the fine one */
+    const struct net_options *o;
+    struct net_work w;
+    struct net_state *s;
+    double *base;  /* (n, 3) forces without sea; owned */
+    double *load;  /* (n, 3) of current and friction, as they act; owned */
+    double *fresh; /* (n, 3) as the present shape would have them; owned */
+    double part;   /* of the difference that a renewal takes */
+    double before; /* difference at the last renewal */
+};
+
+/* Unit vector from a to b; upright where they are one. */
+static void direction(const double *a, const double *b, double ret[3])
+{
+    double l;
+
+    for (int i = 0; i < 3; i++)
+        ret[i] = b[i] - a[i];
+    l = net_length(ret);
+    for (int i = 0; i < 3; i++)
+        ret[i] = l > 0 ? ret[i] / l : i == 2;
+}
+
+/* Drag of elements, half to each end, and of points. */
+static void add_drag(const struct net *net, const double *x, double *f)
+{
+    const struct current *flow = &net->sea->current;
+    double U[3], c[3], drag[3];
+
+    for (int r = 0; r < net->m && flow->n > 0; r++) {
+        const struct net_rope *p = &net->rope[r];
+        const double *a = x + 3 * p->a, *b = x + 3 * p->b;
+
+        direction(a, b, c);
+        current_at(flow, (a[2] + b[2]) / 2, U, NULL);
+        sea_drag(p->across, p->along, p->rope.L0, c, U, drag);
+        for (int i = 0; i < 3; i++) {
+            f[3 * p->a + i] += drag[i] / 2;
+            f[3 * p->b + i] += drag[i] / 2;
+        }
+    }
+    for (int i = 0; i < net->n && flow->n > 0; i++) {
+        current_at(flow, x[3 * i + 2], U, NULL);
+        for (int k = 0; k < 3; k++)
+            f[3 * i + k] += net->node[i].drag * net_length(U) * U[k];
+    }
+}
+
+/* Tension of element r, towards its end b. */
+static double tension(const struct voyage *v, int r)
+{
+    double ta[3], tb[3];
+
+    net_ends_now(v->net, v->s->t, &v->w, r, ta, tb);
+    return net_length(ta);
+}
+
+/* Friction at the joint between the elements r and r + 1: away from the one with more tension, as
+ * much as the bed's push allows and that tension gives. */
+static void rub(const struct voyage *v, int r, int pulled_b, double *f)
+{
+    const struct net_rope *p = &v->net->rope[pulled_b ? r + 1 : r];
+    int joint = v->net->rope[r].b;
+    double c[3], most = p->friction * v->w.push[joint];
+    double F = fmin(most, tension(v, pulled_b ? r + 1 : r));
+
+    direction(v->s->x + 3 * p->a, v->s->x + 3 * p->b, c);
+    for (int i = 0; i < 3; i++)
+        f[3 * joint + i] += pulled_b ? -F * c[i] : F * c[i];
+}
+
+/* Friction of a rope that was split into the elements first..last. */
+static void add_friction(const struct voyage *v, int first, int last, double *f)
+{
+    const struct net_rope *a = &v->net->rope[first], *b = &v->net->rope[last];
+    struct net_rope whole = {.a = a->a, .b = b->b, .rope = {.L0 = a->rope.L0}};
+    enum touch_pulled pulled =
+        net_pulled(v->net, &whole, v->s->x + 3 * whole.a, v->s->x + 3 * whole.b);
+    int low = last, high = first;
+
+    for (int r = first; r < last; r++)
+        if (v->w.push[v->net->rope[r].b] > 0) {
+            low = r < low ? r : low;
+            high = r;
+        }
+    for (int r = low; r <= high && r < last; r++) {
+        int b_side = pulled == TOUCH_PULLED_B || (pulled == TOUCH_ALIKE && 2 * r > low + high);
+
+        if (v->w.push[v->net->rope[r].b] > 0 && (pulled != TOUCH_ALIKE || 2 * r != low + high))
+            rub(v, r, b_side, f);
+    }
+}
+
+/* What current and friction do in the present shape. */
+static void look(const struct voyage *v, const struct net_split *split, int ropes)
+{
+    memset(v->fresh, 0, 3 * sizeof *v->fresh * (size_t)v->net->n);
+    add_drag(v->net, v->s->x, v->fresh);
+    for (int r = 0; r < ropes && v->w.hard > 0; r++)
+        if (split->first[r + 1] - split->first[r] > 1 && v->net->rope[split->first[r]].friction > 0)
+            add_friction(v, split->first[r], split->first[r + 1] - 1, v->fresh);
+}
+
+/* Forces of nodes that are moved by loads: what is fixed takes any. */
+static void renew(struct voyage *v, double part)
+{
+    double most = 0;
+
+    for (int i = 0; i < 3 * v->net->n; i++) {
+        double change = v->fresh[i] - v->load[i];
+
+        most = fmax(most, v->w.dof[i] >= 0 ? fabs(change) : 0);
+        v->load[i] += part * change;
+        v->net->node[i / 3].force[i % 3] = v->base[i] + v->load[i];
+    }
+    v->part = most > v->before ? fmax(LEAST, v->part * LESS) : fmin(1, v->part * MORE);
+    v->before = most;
+}
+
+/* Greatest depth to which a node has sunk in, or height in which the bed still pushes it [m]; the
+ * push is counted on from now. */
+static double settle(struct voyage *v)
+{
+    double most = 0;
+
+    for (int i = 0; i < v->net->n && v->w.hard > 0; i++) {
+        most = fmax(most, fabs(v->w.push[i] - v->w.lean[i]) / v->w.hard);
+        v->w.lean[i] = v->w.push[i];
+    }
+    return most;
+}
+
+/* Round by round: loads of the present shape, then steps with these. */
+static enum status sail(struct voyage *v, const struct net_split *split, int ropes)
+{
+    const struct net_options *o = v->o;
+    enum status status = SW_NOCONV;
+
+    while (status == SW_NOCONV) {
+        struct net_step now = net_measure(v->net, v->s->t, &v->w, v->s);
+        int near = v->s->steps > 0 && net_is_met(&now, v->s, NEAR);
+        double sunk = near || v->w.hard == 0 ? settle(v) : INFINITY;
+
+        look(v, split, ropes);
+        renew(v, v->part);
+        net_evaluate(v->net, v->s->x, v->s->t, &v->w);
+        now = net_measure(v->net, v->s->t, &v->w, v->s);
+        if (v->s->steps == 0)
+            v->s->step[0] = now;
+        if (net_is_met(&now, v->s, o->tolerance) && sunk <= SHALLOW * v->s->size &&
+            v->before <= o->tolerance * v->s->scale)
+            return SW_OK;
+        if (v->s->steps >= o->steps)
+            return SW_NOCONV;
+        status = net_iterate(v->net, o, o->tolerance, o->hold ? o->steps : v->s->steps + 1, INT_MAX,
+                             &v->w, v->s);
+        status = status == SW_OK ? SW_NOCONV : status;
+    }
+    return status;
+}
+
+/* Elements of each rope where it must be split, 0 where not; whether any is. */
+static int choose_parts(const struct net *net, const struct net_options *o, int *parts)
+{
+    int any = 0;
+
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        int light = net->sea->current.n == 0 && p->rope.elements == 0 && !(p->rope.q[2] < 0);
+
+        parts[r] = p->rope.elements > 0 ? p->rope.elements : o->split;
+        if ((net_is_bar(p) && o->method == NET_GAP) || net_goes_over(net, p) || light)
+            parts[r] = 0;
+        any |= parts[r] > 0;
+    }
+    return any;
+}
+
+/* Whether a solution without a bed stays above it. */
+static int is_clear(const struct net *net, const struct net_state *s)
+{
+    const struct bed *bed = &net->sea->bed;
+    struct rope_point *point;
+    int most = NET_POINTS, clear = 1;
+
+    for (int i = 0; i < net->n; i++)
+        clear &= net->node[i].held & 4 ||
+                 s->x[3 * i + 2] >= bed_at(bed, s->x[3 * i], s->x[3 * i + 1], NULL);
+    for (int r = 0; r < net->m; r++)
+        most = net->rope[r].rope.elements + 1 > most ? net->rope[r].rope.elements + 1 : most;
+    point = mem_zeroed((size_t)most, sizeof *point);
+    for (int r = 0; r < net->m && point && clear; r++) {
+        const struct net_rope *p = &net->rope[r];
+        const double *a = s->x + 3 * p->a;
+        int n = net_goes_over(net, p) ? 0 : net_points(net, s, r, point);
+
+        if (n == 0)
+            clear = !net_over_lies(net, p, a, s->x + 3 * p->b);
+        for (int k = 1; k + 1 < n && clear; k++)
+            clear = a[2] + point[k].x[2] >=
+                    bed_at(bed, a[0] + point[k].x[0], a[1] + point[k].x[1], NULL);
+    }
+    clear &= point != NULL;
+    free(point);
+    return clear;
+}
+
+/* Nodes out of the bed, where a solution without it has put them. */
+static void lift_nodes(const struct net *net, double *x)
+{
+    for (int i = 0; i < net->n; i++)
+        if (!(net->node[i].held & 4))
+            x[3 * i + 2] = fmax(x[3 * i + 2], bed_at(&net->sea->bed, x[3 * i], x[3 * i + 1], NULL));
+}
+
+static enum status new_voyage(struct net *net, const struct net_options *o, struct net_state *s,
+                              struct voyage *v)
+{
+    size_t n = 3 * (size_t)net->n;
+    enum status status;
+
+    *v = (struct voyage){.net = net, .o = o, .s = s, .part = 1, .before = INFINITY};
+    status = net_state_new(net, o, s);
+    if (status == SW_OK)
+        status = net_work_new(net, &v->w);
+    v->base = mem_doubles(n);
+    v->load = mem_doubles(n);
+    v->fresh = mem_doubles(n);
+    if (!v->base || !v->load || !v->fresh)
+        return SW_NOMEM;
+    for (size_t i = 0; i < n; i++)
+        v->base[i] = net->node[i / 3].force[i % 3];
+    return status;
+}
+
+static void end_voyage(struct voyage *v)
+{
+    for (int i = 0; v->base && i < 3 * v->net->n; i++)
+        v->net->node[i / 3].force[i % 3] = v->base[i];
+    net_work_free(&v->w);
+    free(v->base);
+    free(v->load);
+    free(v->fresh);
+}
+
+/* First state, ropes over the bed, the bed itself. */
+static enum status set_sail(struct voyage *v, const struct net_state *dry)
+{
+    struct net *net = v->net;
+    enum status status;
+
+    net_prepare(net, &v->w, v->s);
+    status = net_begin(net, &v->w, v->s);
+    if (status == SW_INDEFINITE)
+        status = SW_OK; /* the bed may hold it */
+    if (dry) {
+        memcpy(v->s->x, dry->x, 3 * sizeof *dry->x * (size_t)net->n);
+        memcpy(v->s->t, dry->t, 3 * sizeof *dry->t * (size_t)net->m);
+    }
+    for (int r = 0; r < net->m; r++)
+        net->rope[r].over = net_goes_over(net, &net->rope[r]);
+    if (net->sea->bed.kind != BED_NONE) {
+        v->w.hard = HARD * v->w.reference / v->s->size;
+        lift_nodes(net, v->s->x);
+    }
+    return status;
+}
+
+static enum status travel(struct voyage *v, const struct net_split *split, int ropes,
+                          const struct net_state *dry)
+{
+    enum status status = set_sail(v, dry);
+
+    if (status == SW_OK)
+        status = sail(v, split, ropes);
+    if (status == SW_NOCONV && v->s->steps < v->o->steps) {
+        status = set_sail(v, dry);
+        if (status == SW_OK)
+            status = net_iterate_all_ways(v->net, v->o, &v->w, v->s);
+        if (status == SW_OK)
+            status = sail(v, split, ropes);
+    }
+    return net_conclude(v->net, v->o, status, &v->w, v->s);
+}
+
+/* What bed and current do to the nodes. */
+static void report(const struct voyage *v, int n, struct net_state *ret)
+{
+    double gradient[2];
+
+    for (int i = 0; i < 3 * n; i++)
+        ret->drag[i] = v->load[i];
+    for (int i = 0; i < n && v->w.hard > 0; i++) {
+        bed_at(&v->net->sea->bed, v->s->x[3 * i], v->s->x[3 * i + 1], gradient);
+        ret->bed[3 * i] = -v->w.push[i] * gradient[0];
+        ret->bed[3 * i + 1] = -v->w.push[i] * gradient[1];
+        ret->bed[3 * i + 2] = v->w.push[i];
+    }
+}
+
+/* Joints of the rope that was split into the elements first..last, seen from its node a. */
+static void list_joints(const struct voyage *v, int first, int last, struct rope_point *point)
+{
+    const struct net *net = v->net;
+    const double *x = v->s->x, *a = x + 3 * net->rope[first].a;
+
+    point[0] = (struct rope_point){.s = 0};
+    for (int r = first; r <= last; r++, point++) {
+        const struct net_rope *p = &net->rope[r];
+        const double *end = v->s->end + 6 * r, *b = x + 3 * p->b;
+        double gradient[2], slope, push = v->w.hard > 0 ? v->w.push[p->b] : 0;
+        struct rope_point *next = point + 1;
+
+        memcpy(point->t, end, sizeof point->t);
+        point->strain = rope_strain(&p->rope.law, net_length(end), &slope);
+        *next = (struct rope_point){.s = (r - first + 1) * p->rope.L0, .strain = point->strain};
+        bed_at(&net->sea->bed, b[0], b[1], gradient);
+        for (int i = 0; i < 3; i++) {
+            next->x[i] = b[i] - a[i];
+            next->t[i] = end[3 + i];
+            next->load[i] =
+                r < last ? net->node[p->b].force[i] + push * (i < 2 ? -gradient[i] : 1) : 0;
+        }
+        next->bed = r < last ? push : 0;
+    }
+}
+
+/* From the fine net's state to that of the coarse one. */
+static enum status gather(const struct voyage *v, const struct net *net,
+                          const struct net_split *split, struct net_state *ret)
+{
+    size_t n = 3 * (size_t)net->n;
+    int count = 0;
+
+    memcpy(ret->x, v->s->x, n * sizeof *ret->x);
+    memcpy(ret->residual, v->s->residual, n * sizeof *ret->residual);
+    memcpy(ret->step, v->s->step, sizeof *ret->step * ((size_t)v->s->steps + 1));
+    ret->steps = v->s->steps;
+    ret->size = v->s->size;
+    ret->most = v->s->most;
+    ret->scale = v->s->scale;
+    ret->worst = v->s->worst < net->n ? v->s->worst : -1;
+    ret->joints.first = mem_zeroed((size_t)net->m + 1, sizeof *ret->joints.first);
+    ret->joints.point = mem_zeroed((size_t)v->net->m + (size_t)net->m, sizeof *ret->joints.point);
+    if (!ret->joints.first || !ret->joints.point)
+        return SW_NOMEM;
+    for (int r = 0; r < net->m; r++) {
+        int first = split->first[r], last = split->first[r + 1] - 1;
+
+        memcpy(ret->t + 3 * r, v->s->t + 3 * first, 3 * sizeof *ret->t);
+        memcpy(ret->end + 6 * r, v->s->end + 6 * first, 3 * sizeof *ret->end);
+        memcpy(ret->end + 6 * r + 3, v->s->end + 6 * last + 3, 3 * sizeof *ret->end);
+        ret->joints.first[r] = count;
+        net->rope[r].over = v->net->rope[first].over;
+        if (!v->net->rope[first].cut &&
+            v->net->rope[first].rope.elements == net->rope[r].rope.elements && first == last)
+            continue;
+        list_joints(v, first, last, ret->joints.point + count);
+        count += last - first + 2;
+    }
+    ret->joints.first[net->m] = count;
+    return SW_OK;
+}
+
+/* With ropes as they are, or split. */
+static enum status solve_whole(struct net *net, const struct net_options *o,
+                               const struct net_state *dry, struct net_state *ret)
+{
+    struct voyage v;
+    enum status s = new_voyage(net, o, ret, &v);
+
+    if (s == SW_OK)
+        s = travel(&v, NULL, 0, dry);
+    if (s == SW_OK || s == SW_NOCONV)
+        report(&v, net->n, ret);
+    end_voyage(&v);
+    return s;
+}
+
+static enum status solve_split(const struct net *net, const struct net_options *o, const int *parts,
+                               struct net_state *ret)
+{
+    struct net_split split = {.first = NULL};
+    struct net_state fine = {.x = NULL};
+    struct voyage v = {.net = NULL};
+    enum status s = net_state_new(net, o, ret), end = SW_NOMEM;
+
+    if (s == SW_OK)
+        s = net_split_new(net, parts, o->method == NET_GAP, &split);
+    if (s == SW_OK)
+        s = new_voyage(&split.fine, o, &fine, &v);
+    if (s == SW_OK)
+        s = travel(&v, &split, net->m, NULL);
+    if (s == SW_OK || s == SW_NOCONV) {
+        end = gather(&v, net, &split, ret);
+        if (end != SW_OK)
+            s = end;
+        else
+            report(&v, net->n, ret);
+    } else if (s == SW_INDEFINITE) {
+        ret->worst = fine.worst < net->n ? fine.worst : -1;
+    }
+    if (v.net)
+        end_voyage(&v);
+    net_state_free(&fine);
+    net_split_free(&split);
+    return s;
+}
+
+enum status net_solve_in_sea(struct net *net, const struct net_options *o, struct net_state *ret)
+{
+    int *parts = mem_zeroed((size_t)net->m, sizeof *parts);
+    struct net_options brief = *o;
+    struct net_state dry = {.x = NULL};
+    enum status s = parts ? SW_OK : SW_NOMEM;
+
+    brief.steps = o->steps < DRY ? o->steps : DRY;
+    *ret = (struct net_state){.worst = -1};
+    if (s == SW_OK && o->method == NET_IMAGINARY)
+        s = SW_ADMISSIBLE;
+    if (s == SW_OK && net->sea->current.n == 0) {
+        s = net_solve_dry(net, &brief, &dry);
+        if (s == SW_OK && is_clear(net, &dry)) {
+            free(parts);
+            *ret = dry;
+            return SW_OK;
+        }
+        s = s == SW_NOMEM ? s : SW_OK;
+    }
+    if (s == SW_OK && choose_parts(net, o, parts))
+        s = solve_split(net, o, parts, ret);
+    else if (s == SW_OK)
+        s = solve_whole(net, o, dry.x ? &dry : NULL, ret);
+    free(parts);
+    net_state_free(&dry);
+    if (s == SW_NOMEM)
+        net_state_free(ret);
+    return s;
+}
