@@ -1,4 +1,5 @@
 /* gapnet: equilibrium of systems of ropes and nets by the gap method. */
+#include "form/deck.h"
 #include "form/netfiles.h"
 #include "form/start.h"
 #include "sys/number.h"
@@ -12,7 +13,7 @@
 
 static struct {
     struct opt_common common;
-    const char *method, *rope, *step, *stiffness, *about;
+    const char *method, *rope, *step, *stiffness, *about, *write_deck;
     int verify, lint;
 } args;
 
@@ -28,6 +29,8 @@ static const struct opt options[] = {
     {"about", 0, OPT_TEXT, &args.about, "X,Y,Z", "--stiffness: of a rigid body that carries them",
      0, 0},
     {"lint", 0, OPT_FLAG, &args.lint, NULL, "only check the system", 0, 0},
+    {"write-deck", 0, OPT_TEXT, &args.write_deck, "FILE",
+     "write a MoorDyn v2 deck with the found positions", 0, 0},
     OPT_COMMON(&args.common),
 };
 
@@ -71,6 +74,8 @@ static void load(const char *path)
         exit(0);
     }
     must(system_load(path, &c, &all, &why), &why);
+    for (int i = 0; i < all.notes; i++)
+        (all.note[i].warns ? warn : note)("%s", all.note[i].text);
 }
 
 static struct net_options solver_options(int method)
@@ -282,6 +287,11 @@ static void print_stiffness(void)
     free(K);
 }
 
+static int deck_on_stdout(void)
+{
+    return args.write_deck && strcmp(args.write_deck, "-") == 0;
+}
+
 static void print_results(const struct net_report *r)
 {
     struct out o;
@@ -289,11 +299,25 @@ static void print_results(const struct net_report *r)
 
     if (args.common.dir) {
         must(net_write(args.common.dir, &all, &state, r, &why), &why);
-    } else if (!args.stiffness) {
+    } else if (!args.stiffness && !deck_on_stdout()) {
         must(out_open(&o, args.common.out, &why), &why);
         must(net_print_nodes(&all, &state, &o, &why), &why);
         must(out_close(&o, &why), &why);
     }
+}
+
+static void write_deck(void)
+{
+    struct out o;
+    struct why why;
+
+    if (!args.write_deck)
+        return;
+    must(out_open(&o, args.write_deck, &why), &why);
+    must(deck_write(&all, &state, &o, &why), &why);
+    must(out_close(&o, &why), &why);
+    if (all.sea.current.n > 0)
+        warn("%s: the current is not in it; set tables.current with it", args.write_deck);
 }
 
 int main(int argc, char **argv)
@@ -325,6 +349,7 @@ int main(int argc, char **argv)
     warn_of_bed();
     if (args.verify)
         r.difference = verify();
+    write_deck(); /* it may be refused */
     print_results(&r);
     if (args.stiffness)
         print_stiffness();

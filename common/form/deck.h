@@ -5,6 +5,7 @@
 #define SEILWERK_FORM_DECK_H
 
 #include "form/system.h"
+#include "sys/out.h"
 
 /* Whether the file is a deck and no INI file: some line of it opens a section of a deck before any
  * stands in brackets.  SW_READ. */
@@ -17,7 +18,7 @@ enum status deck_sections(const char *path, struct ini *ret, struct why *why);
 enum status deck_load(const char *path, struct system *ret, struct why *why);
 
 /* Write a MoorDyn v2 deck with the positions that were found.  SW_ADMISSIBLE with words for what no
- * deck can say (springs, floats with a waterplane, ...). */
+ * deck can say (springs, floats with a waterplane, ...); nothing is written then. */
 enum status deck_write(const struct system *p, const struct net_state *s, struct out *o,
                        struct why *why);
 

@@ -168,9 +168,10 @@ enum status system_load(const char *path, const struct system_case *c, struct sy
     return s;
 }
 
-enum status system_pass(struct system *p, struct why *why, const char *format, ...)
+enum status system_pass(struct system *p, int warns, struct why *why, const char *format, ...)
 {
-    char text[512], **note = mem_resize(p->note, (size_t)p->notes + 1, sizeof *note);
+    char text[1024];
+    struct system_note *note = mem_resize(p->note, (size_t)p->notes + 1, sizeof *note);
     va_list list;
 
     if (!note)
@@ -179,8 +180,8 @@ enum status system_pass(struct system *p, struct why *why, const char *format, .
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    note[p->notes] = mem_copy(text, strlen(text) + 1);
-    if (!note[p->notes])
+    note[p->notes] = (struct system_note){mem_copy(text, strlen(text) + 1), warns};
+    if (!note[p->notes].text)
         return fail_plain(why, SW_NOMEM);
     p->notes++;
     return SW_OK;
@@ -195,7 +196,7 @@ void system_free(struct system *s)
         free(s->type[i].table);
     free(s->type);
     for (int i = 0; i < s->notes; i++)
-        free(s->note[i]);
+        free(s->note[i].text);
     free(s->note);
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);

@@ -55,6 +55,12 @@ struct system_body {
     double mass, volume, area; /* [kg], [m3], [m2] */
 };
 
+/* What was passed over on reading, in words for the user. */
+struct system_note {
+    char *text; /* owned */
+    int warns;  /* it changes results */
+};
+
 struct system {
     struct system_case c;
     struct roll nodes, ropes, types, bodies;
@@ -66,7 +72,7 @@ struct system {
     struct sea sea;    /* net.sea points here where there is a bed or a current */
     double *bed_table; /* numbers of a grid */
     double *current_table;
-    char **note; /* (notes): what was passed over on reading, for the user */
+    struct system_note *note; /* (notes) */
     int notes;
 };
 
@@ -122,7 +128,7 @@ enum status system_take_body(struct system *p, int i, struct why *why);
 enum status system_judge(struct system *p, struct why *why);
 
 /* Something was passed over: words for the user.  SW_NOMEM. */
-__attribute__((format(printf, 3, 4))) enum status system_pass(struct system *p, struct why *why,
-                                                              const char *format, ...);
+__attribute__((format(printf, 4, 5))) enum status
+system_pass(struct system *p, int warns, struct why *why, const char *format, ...);
 
 #endif
