@@ -6,6 +6,8 @@
 #include <string.h>
 
 #define PART 1e-5   /* of the reference force: less than that is no tension to compare with */
+#define REST 1e-10  /* of the bed's hardness: stiffness of what nothing holds */
+#define STIFFER 6   /* powers of ten above that */
 #define THREADS 512 /* ropes from which threads share them */
 
 void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM])
@@ -218,6 +220,15 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
     return ret;
 }
 
+/* On a bed nodes may rest where nothing holds them sideways, among slack ropes: a small resistance
+ * to any displacement, which changes the way, not where it ends. */
+static enum status stiffen(struct net_work *w, double times)
+{
+    for (int i = 0; i < w->unknowns; i++)
+        w->A.value[sparse_at(&w->A, i, i)] += times * REST * w->hard;
+    return sparse_factor(&w->A);
+}
+
 enum status net_find_step(const struct net *net, struct net_work *w, int *ret_worst)
 {
     enum status s;
@@ -239,6 +250,8 @@ enum status net_find_step(const struct net *net, struct net_work *w, int *ret_wo
         }
     }
     s = sparse_factor(&w->A);
+    for (int k = 0; k < STIFFER && s == SW_INDEFINITE && w->hard > 0; k++)
+        s = stiffen(w, pow(10, k));
     if (s == SW_INDEFINITE)
         *ret_worst = net_node_of(net, w, w->A.failed);
     if (s == SW_OK)

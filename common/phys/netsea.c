@@ -13,9 +13,12 @@
 #define MORE 1.5     /* and where it did */
 #define LEAST 0.02   /* of it, at the least */
 #define NEAR                                                                                       \
-    1e-6        /* of the size and the largest tension: the bed's push is told by such a state     \
-                 */
-#define DRY 100 /* steps of a first try without the bed */
+    1e-6           /* of the size and the largest tension: the bed's push is told by such a state  \
+                    */
+#define SETTLED 60 /* rounds after which friction is no longer looked for */
+#define FEW 40     /* steps with the same loads before a safer way is taken */
+#define BRIEF 120  /* steps without further care */
+#define DRY 100    /* steps of a first try without the bed */
 
 /* A net in the sea on its way to balance. */
 struct voyage {
@@ -26,6 +29,8 @@ struct voyage {
     double *base;  /* (n, 3) forces without sea; owned */
     double *load;  /* (n, 3) of current and friction, as they act; owned */
     double *fresh; /* (n, 3) as the present shape would have them; owned */
+    double *held;  /* (n, 3) friction; owned */
+    int rounds;    /* of renewal */
     double part;   /* of the difference that a renewal takes */
     double before; /* difference at the last renewal */
 };
@@ -76,39 +81,55 @@ static double tension(const struct voyage *v, int r)
     return net_length(ta);
 }
 
-/* Friction at the joint between the elements r and r + 1: away from the one with more tension, as
- * much as the bed's push allows and that tension gives. */
-static void rub(const struct voyage *v, int r, int pulled_b, double *f)
+/* Friction at a joint that lies, whose rope leads along c towards the pulled end, where it carries
+ * T: what pushes it sideways is held if C times the bed's push can; what is left of that acts along
+ * the rope, away from the pulled end, as long as there is tension.  Returns the tension beyond it.
+ */
+static double rub(const double c[3], double T, double most, const double load[3], double *f)
 {
-    const struct net_rope *p = &v->net->rope[pulled_b ? r + 1 : r];
-    int joint = v->net->rope[r].b;
-    double c[3], most = p->friction * v->w.push[joint];
-    double F = fmin(most, tension(v, pulled_b ? r + 1 : r));
+    double along = c[0] * load[0] + c[1] * load[1] + c[2] * load[2];
+    double level = hypot(c[0], c[1]),
+           h[2] = {level > 0 ? c[0] / level : 0, level > 0 ? c[1] / level : 0};
+    double forward = h[0] * load[0] + h[1] * load[1];
+    double side[2] = {load[0] - forward * h[0], load[1] - forward * h[1]};
+    double size = hypot(side[0], side[1]), F;
 
-    direction(v->s->x + 3 * p->a, v->s->x + 3 * p->b, c);
+    F = fmin(most, size);
+    for (int i = 0; i < 2 && size > 0; i++)
+        f[i] -= F * side[i] / size;
+    T = fmax(0, T + along);
+    F = fmin(sqrt(most * most - F * F), T);
     for (int i = 0; i < 3; i++)
-        f[3 * joint + i] += pulled_b ? -F * c[i] : F * c[i];
+        f[i] -= F * c[i];
+    return T - F;
 }
 
-/* Friction of a rope that was split into the elements first..last. */
-static void add_friction(const struct voyage *v, int first, int last, double *f)
+/* Friction of a rope that was split into the elements first..last, from where it meets the bed on
+ * the pulled side on. */
+static void add_friction(const struct voyage *v, int first, int last)
 {
-    const struct net_rope *a = &v->net->rope[first], *b = &v->net->rope[last];
-    struct net_rope whole = {.a = a->a, .b = b->b, .rope = {.L0 = a->rope.L0}};
-    enum touch_pulled pulled =
-        net_pulled(v->net, &whole, v->s->x + 3 * whole.a, v->s->x + 3 * whole.b);
-    int low = last, high = first;
+    const struct net *net = v->net;
+    const double *x = v->s->x;
+    int a = net->rope[first].a, b = net->rope[last].b, lies = 0;
+    struct net_rope whole = {.a = a, .b = b, .rope = {.L0 = net->rope[first].rope.L0}};
+    enum touch_pulled pulled = net_pulled(net, &whole, x + 3 * a, x + 3 * b);
+    double T = 0;
 
-    for (int r = first; r < last; r++)
-        if (v->w.push[v->net->rope[r].b] > 0) {
-            low = r < low ? r : low;
-            high = r;
-        }
-    for (int r = low; r <= high && r < last; r++) {
-        int b_side = pulled == TOUCH_PULLED_B || (pulled == TOUCH_ALIKE && 2 * r > low + high);
+    for (int k = 0; k < last - first && pulled != TOUCH_ALIKE; k++) {
+        const struct net_rope *p = &net->rope[pulled == TOUCH_PULLED_B ? last - k : first + k];
+        int to = pulled == TOUCH_PULLED_B ? p->b : p->a, joint = to == p->b ? p->a : p->b;
+        double c[3], n[3], load[3];
 
-        if (v->w.push[v->net->rope[r].b] > 0 && (pulled != TOUCH_ALIKE || 2 * r != low + high))
-            rub(v, r, b_side, f);
+        if (!lies && !(v->w.push[joint] > 0))
+            continue;
+        if (!lies)
+            T = tension(v, (int)(p - net->rope));
+        lies = 1;
+        direction(x + 3 * joint, x + 3 * to, c);
+        net_bed_normal(net, x, joint, n);
+        for (int i = 0; i < 3; i++)
+            load[i] = v->base[3 * joint + i] + v->fresh[3 * joint + i] + v->w.push[joint] * n[i];
+        T = rub(c, T, p->friction * v->w.push[joint], load, v->held + 3 * joint);
     }
 }
 
@@ -123,16 +144,24 @@ static void find_way(const struct voyage *v, int first, int last)
             v->net->node[v->net->rope[r].b].way[c] = l > 0 ? d[c] / l : 0;
 }
 
-/* What current and friction do in the present shape. */
-static void look(const struct voyage *v, const struct net_split *split, int ropes)
+/* What current and friction do in the present shape.  The bed can hold anything up to C times its
+ * push: after some rounds it holds what it then does, within that. */
+static void look(struct voyage *v, const struct net_split *split, int ropes)
 {
+    size_t bytes = 3 * sizeof *v->fresh * (size_t)v->net->n;
+
+    memset(v->fresh, 0, bytes);
+    add_drag(v->net, v->s->x, v->fresh);
     for (int r = 0; r < ropes; r++)
         find_way(v, split->first[r], split->first[r + 1] - 1);
-    memset(v->fresh, 0, 3 * sizeof *v->fresh * (size_t)v->net->n);
-    add_drag(v->net, v->s->x, v->fresh);
-    for (int r = 0; r < ropes && v->w.hard > 0; r++)
-        if (split->first[r + 1] - split->first[r] > 1 && v->net->rope[split->first[r]].friction > 0)
-            add_friction(v, split->first[r], split->first[r + 1] - 1, v->fresh);
+    if (v->rounds++ < SETTLED) {
+        memset(v->held, 0, bytes);
+        for (int r = 0; r < ropes && v->w.hard > 0; r++)
+            if (v->net->rope[split->first[r]].friction > 0)
+                add_friction(v, split->first[r], split->first[r + 1] - 1);
+    }
+    for (int i = 0; i < 3 * v->net->n; i++)
+        v->fresh[i] += v->held[i];
 }
 
 /* Forces of nodes that are moved by loads: what is fixed takes any. */
@@ -153,7 +182,7 @@ static void renew(struct voyage *v, double part)
 
 /* Greatest depth to which a node has sunk in, or height in which the bed still pushes it [m]; the
  * push is counted on from now. */
-static double settle(struct voyage *v)
+static double count_on_bed(struct voyage *v)
 {
     double most = 0;
 
@@ -164,19 +193,27 @@ static double settle(struct voyage *v)
     return most;
 }
 
+/* At most so many steps with the loads as they are. */
+static enum status steps_on(const struct voyage *v, int most)
+{
+    int last = most < v->o->steps - v->s->steps ? v->s->steps + most : v->o->steps;
+
+    return net_iterate(v->net, v->o, v->o->tolerance, last, INT_MAX, &v->w, v->s);
+}
+
 /* Round by round: loads of the present shape, then steps with these.  The bed's push is told anew
  * once the state is near enough to tell it. */
-static enum status sail(struct voyage *v, const struct net_split *split, int ropes)
+static enum status sail(struct voyage *v, const struct net_split *split, int ropes, int safe)
 {
     const struct net_options *o = v->o;
     double sunk = INFINITY;
-    int near = 0;
+    int near = 0, one_by_one = v->net->sea->current.n > 0 && !o->hold && !safe;
 
     for (int round = 0; round <= o->steps && v->s->steps <= o->steps; round++) {
         struct net_step now;
         enum status status;
 
-        sunk = near || v->w.hard == 0 ? settle(v) : sunk;
+        sunk = near || v->w.hard == 0 ? count_on_bed(v) : sunk;
         look(v, split, ropes);
         renew(v, v->part);
         net_evaluate(v->net, v->s->x, v->s->t, &v->w);
@@ -189,8 +226,9 @@ static enum status sail(struct voyage *v, const struct net_split *split, int rop
             return SW_OK;
         if (v->s->steps == o->steps)
             return SW_NOCONV;
-        status = net_iterate(v->net, o, o->tolerance, o->hold ? o->steps : v->s->steps + 1, INT_MAX,
-                             &v->w, v->s);
+        status = steps_on(v, one_by_one ? 1 : safe ? FEW : o->steps);
+        if (status == SW_NOCONV && safe && !one_by_one)
+            status = net_iterate_all_ways(v->net, o, &v->w, v->s);
         if (status != SW_OK && status != SW_NOCONV)
             return status;
     }
@@ -264,7 +302,8 @@ static enum status new_voyage(struct net *net, const struct net_options *o, stru
     v->base = mem_doubles(n);
     v->load = mem_doubles(n);
     v->fresh = mem_doubles(n);
-    if (!v->base || !v->load || !v->fresh)
+    v->held = mem_doubles(n);
+    if (!v->base || !v->load || !v->fresh || !v->held)
         return SW_NOMEM;
     for (size_t i = 0; i < n; i++)
         v->base[i] = net->node[i / 3].force[i % 3];
@@ -279,6 +318,7 @@ static void end_voyage(struct voyage *v)
     free(v->base);
     free(v->load);
     free(v->fresh);
+    free(v->held);
 }
 
 /* First state, ropes over the bed, the bed itself. */
@@ -304,19 +344,29 @@ static enum status set_sail(struct voyage *v, const struct net_state *dry)
     return status;
 }
 
+/* First as it is, for not too long; then by the safest way with the first loads, and on from there.
+ */
 static enum status travel(struct voyage *v, const struct net_split *split, int ropes,
                           const struct net_state *dry)
 {
+    struct net_options brief = *v->o;
+    const struct net_options *o = v->o;
     enum status status = set_sail(v, dry);
 
+    brief.steps = o->steps < BRIEF ? o->steps : BRIEF;
+    v->o = &brief;
     if (status == SW_OK)
-        status = sail(v, split, ropes);
-    if (status == SW_NOCONV && v->s->steps < v->o->steps) {
+        status = sail(v, split, ropes, 0);
+    v->o = o;
+    if ((status == SW_NOCONV || status == SW_INDEFINITE) && brief.steps < o->steps) {
+        int steps = v->s->steps;
+
         status = set_sail(v, dry);
+        v->s->steps = steps;
         if (status == SW_OK)
-            status = net_iterate_all_ways(v->net, v->o, &v->w, v->s);
+            status = net_iterate_all_ways(v->net, o, &v->w, v->s);
         if (status == SW_OK)
-            status = sail(v, split, ropes);
+            status = sail(v, split, ropes, 1);
     }
     return net_conclude(v->net, v->o, status, &v->w, v->s);
 }

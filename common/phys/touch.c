@@ -98,34 +98,26 @@ static void differentiate(const struct touch_rope *r, double T, double m, struct
 }
 
 /* What lies, as it depends on the slope: by how much the tension falls from the end that carries
- * more (its number: hi), and from both ends if friction acts from both. */
+ * more (its number: hi). */
 struct ground {
     int hi, lo;
-    int alike;                    /* friction from both ends */
-    double c, rate;               /* cosine of the slope; fall of tension from hi to lo [N/m] */
-    double own[2];                /* of each end towards the middle, if they are alike */
-    double rate_m, own_m[2], c_m; /* by the slope from a to b */
-    int holds;                    /* what is slack stays on the slope */
-    double out[2];                /* slopes outwards at a and b */
+    double c, rate;     /* cosine of the slope; fall of tension from hi to lo [N/m] */
+    double c_m, rate_m; /* by the slope from a to b */
+    int holds;          /* what is slack stays on the slope */
+    double out[2];      /* slopes outwards at a and b */
 };
 
 static void look_at_ground(const struct touch_rope *r, double m, struct ground *g)
 {
     int up = m >= 0 ? 1 : 0; /* the end uphill */
-    double side = m >= 0 ? 1 : -1, C = r->friction, sine, sine_m, cos_m;
     double pulled = r->pulled == TOUCH_ALIKE ? 0 : (r->pulled == TOUCH_PULLED_B) == up ? 1 : -1;
+    double sine, C = r->friction;
 
     g->c = 1 / sqrt(1 + m * m);
-    g->c_m = cos_m = -m * g->c * g->c * g->c;
+    g->c_m = -m * g->c * g->c * g->c;
     sine = fabs(m) * g->c;
-    sine_m = side * g->c * g->c * g->c;
-    g->alike = r->pulled == TOUCH_ALIKE;
     g->rate = r->w * (sine + pulled * C * g->c);
-    g->rate_m = r->w * (sine_m + pulled * C * cos_m);
-    g->own[up] = r->w * (C * g->c + sine);
-    g->own_m[up] = r->w * (C * cos_m + sine_m);
-    g->own[!up] = r->w * (C * g->c - sine);
-    g->own_m[!up] = r->w * (C * cos_m - sine_m);
+    g->rate_m = r->w * ((m >= 0 ? 1 : -1) * g->c * g->c * g->c + pulled * C * g->c_m);
     g->hi = up;
     if (g->rate < 0) {
         g->hi = !up;
@@ -214,11 +206,7 @@ static double spread(double p, void *context)
     }
     q->flat = q->r->L0 - q->e[0].s - q->e[1].s;
     q->heap = q->slack && !g->holds && q->T[g->hi] < g->rate * q->flat;
-    if (g->alike)
-        stretch = carried(q->T[0], g->own[0], q->flat / 2, d) +
-                  carried(q->T[1], g->own[1], q->flat / 2, d);
-    else
-        stretch = carried(q->T[g->hi], g->rate, q->flat, d);
+    stretch = carried(q->T[g->hi], g->rate, q->flat, d);
     if (q->heap) /* the rest lies in a heap; friction has no share in what slides */
         return q->e[0].run + q->e[1].run +
                g->c * (q->T[g->hi] / g->rate) * (1 + q->T[g->hi] / (2 * q->r->EA));
@@ -269,7 +257,7 @@ static void differentiate_tensions(const struct search *q, double T_by[2][4])
     const struct end *e = q->e;
     int hi = g->hi, lo = g->lo;
     double EA = q->r->EA, A[2][2] = {{0, 0}, {0, 0}}, b[2][4] = {{0}, {0}}, det;
-    double by_flat, by_T[2] = {0, 0}, by_m, length, d[2][3] = {{0}, {0}};
+    double by_flat, by_T[2] = {0, 0}, by_m, length, d[3];
 
     /* length of what lies along the slope, and its derivatives */
     if (q->heap) {
@@ -277,19 +265,11 @@ static void differentiate_tensions(const struct search *q, double T_by[2][4])
         by_T[hi] = (1 + q->T[hi] / EA) / g->rate;
         by_m = -length / g->rate * g->rate_m;
         by_flat = 0;
-    } else if (g->alike) {
-        length = q->flat;
-        for (int i = 0; i < 2; i++) {
-            length += carried(q->T[i], g->own[i], q->flat / 2, d[i]) / EA;
-            by_T[i] = d[i][0] / EA;
-        }
-        by_m = (d[0][1] * g->own_m[0] + d[1][1] * g->own_m[1]) / EA;
-        by_flat = 1 + (d[0][2] + d[1][2]) / (2 * EA);
     } else {
-        length = q->flat + carried(q->T[hi], g->rate, q->flat, d[0]) / EA;
-        by_T[hi] = d[0][0] / EA;
-        by_m = d[0][1] * g->rate_m / EA;
-        by_flat = 1 + d[0][2] / EA;
+        length = q->flat + carried(q->T[hi], g->rate, q->flat, d) / EA;
+        by_T[hi] = d[0] / EA;
+        by_m = d[1] * g->rate_m / EA;
+        by_flat = 1 + d[2] / EA;
     }
     /* 0: T_hi - T_lo - rate flat = 0, or T_lo = 0; 1: run_a + run_b + c length = x */
     for (int i = 0; i < 2; i++) {
@@ -347,19 +327,10 @@ static void conclude(struct search *q, struct touch *ret)
 /* How the tension falls along what lies. */
 static void describe(const struct search *q, struct touch *ret)
 {
-    const struct ground *g = &q->g;
-    double lies = ret->flat - ret->heap;
+    double lies = ret->flat - ret->heap, T = ret->T[q->g.hi];
 
-    for (int i = 0; i < 2; i++) {
-        double l = g->alike ? lies / 2 : i == g->hi ? lies : 0;
-
-        ret->fall[i] = g->alike ? g->own[i] : i == g->hi ? g->rate : 0;
-        if (g->alike && q->heap) {
-            ret->fall[i] = g->rate;
-            l = i == g->hi ? lies : 0;
-        }
-        ret->reach[i] = ret->T[i] >= ret->fall[i] * l ? l : ret->T[i] / ret->fall[i];
-    }
+    ret->fall[q->g.hi] = q->g.rate;
+    ret->reach[q->g.hi] = T >= q->g.rate * lies ? lies : T / q->g.rate;
 }
 
 /* As if there were no bed: the line of one cable (theory c1).  Whether it stays above the bed. */
