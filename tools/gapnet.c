@@ -1,5 +1,6 @@
 /* gapnet: equilibrium of systems of ropes and nets by the gap method. */
 #include "form/deck.h"
+#include "form/netbodies.h"
 #include "form/netfiles.h"
 #include "form/start.h"
 #include "sys/number.h"
@@ -13,7 +14,8 @@
 
 static struct {
     struct opt_common common;
-    const char *method, *rope, *step, *stiffness, *about, *write_deck;
+    const char *method, *rope, *step, *stiffness, *about, *write_deck, *body, *move, *moves, *by;
+    struct opt_list pretension;
     int verify, lint;
 } args;
 
@@ -28,6 +30,14 @@ static const struct opt options[] = {
      "stiffness of these nodes (a,b,...), condensed on the rest", 0, 0},
     {"about", 0, OPT_TEXT, &args.about, "X,Y,Z", "--stiffness: of a rigid body that carries them",
      0, 0},
+    {"body", 0, OPT_TEXT, &args.body, "NAME", "the body of --move, --moves and --stiffness body", 0,
+     0},
+    {"move", 0, OPT_TEXT, &args.move, "DX,DY,DZ,RX,RY,RZ", "move a body first", 0, 0},
+    {"moves", 0, OPT_TEXT, &args.moves, "FILE", "restoring curve: a row for each move in the table",
+     0, 0},
+    {"pretension", 0, OPT_LIST, &args.pretension, "ROPE=TENSION",
+     "find the rope's length for this tension", 0, 0},
+    {"by", 0, OPT_TEXT, &args.by, "WHAT", "--pretension: by length or anchor", 0, 0},
     {"lint", 0, OPT_FLAG, &args.lint, NULL, "only check the system", 0, 0},
     {"write-deck", 0, OPT_TEXT, &args.write_deck, "FILE",
      "write a MoorDyn v2 deck with the found positions", 0, 0},
@@ -37,6 +47,11 @@ static const struct opt options[] = {
 static const struct opt_tool tool = {"gapnet", "SYSTEM",
                                      "Equilibrium of systems of ropes and nets by the gap method.",
                                      options};
+
+static int is_body_stiffness(void)
+{
+    return args.stiffness && strcmp(args.stiffness, "body") == 0;
+}
 
 static struct system_case c;
 static struct system all;
@@ -210,7 +225,7 @@ static void warn_of_bed(void)
 }
 
 /* The nodes a,b,... of --stiffness; their number. */
-static int choose(int *ret)
+static int choose_named(int *ret)
 {
     const char *p = args.stiffness;
     int k = 0;
@@ -233,28 +248,40 @@ static int choose(int *ret)
     return k;
 }
 
-/* The point of --about. */
-static void read_about(double ret[3])
+/* The body that options speak of. */
+static int chosen_body(const char *option)
 {
-    char copy[200], *word, *rest = NULL;
-    int n = 0;
+    struct why why;
+    int body;
 
-    if (snprintf(copy, sizeof copy, "%s", args.about) >= (int)sizeof copy)
-        die(SW_USAGE, "option --about: too long");
-    for (word = strtok_r(copy, ",", &rest); word; word = strtok_r(NULL, ",", &rest)) {
-        const char *reason = n < 3 ? number_read(word, &ret[n]) : "more than three numbers";
+    if (net_choose_body(&all, args.body, &body, &why) != SW_OK)
+        die(SW_USAGE, "option --%s: %s", option, why.text);
+    return body;
+}
 
-        if (reason)
-            die(SW_USAGE, "option --about: '%s': %s", word, reason);
-        n++;
-    }
-    if (n < 3)
-        die(SW_USAGE, "option --about: three numbers are expected, X,Y,Z");
+/* What --stiffness is about: nodes, and of a body the point. */
+static int choose(int *ret, double about[3])
+{
+    struct why why;
+    int k = 0, body;
+
+    if (args.about && numbers_read(args.about, 3, about, &why) != SW_OK)
+        die(SW_USAGE, "option --about: %s", why.text);
+    if (!is_body_stiffness())
+        return choose_named(ret);
+    body = chosen_body("stiffness");
+    for (int i = 0; i < all.net.n; i++)
+        if (all.net.node[i].body == body + 1)
+            ret[k++] = i;
+    if (!args.about)
+        memcpy(about, all.net.body[body].x, 3 * sizeof *about);
+    return k;
 }
 
 static void print_stiffness(void)
 {
     int *chosen = malloc(sizeof *chosen * (size_t)all.net.n), k;
+    int of_body = args.about || is_body_stiffness();
     double *K, about[3];
     struct out o;
     struct why why;
@@ -262,22 +289,19 @@ static void print_stiffness(void)
 
     if (!chosen)
         die(SW_NOMEM, "%s", status_text(SW_NOMEM));
-    k = choose(chosen);
-    if (args.about)
-        read_about(about);
-    K = calloc(args.about ? 36 : 9 * (size_t)k * (size_t)k + 1, sizeof *K);
+    k = choose(chosen, about);
+    K = calloc(of_body ? 36 : 9 * (size_t)k * (size_t)k + 1, sizeof *K);
     if (!K)
         die(SW_NOMEM, "%s", status_text(SW_NOMEM));
-    s = args.about ? net_body_stiffness(&all.net, &state, chosen, k, about, K)
-                   : net_stiffness(&all.net, &state, chosen, k, K);
+    s = of_body ? net_body_stiffness(&all.net, &state, chosen, k, about, K)
+                : net_stiffness(&all.net, &state, chosen, k, K);
     if (s != SW_OK)
         die(s, "stiffness: %s", status_text(s));
     if (args.common.dir) {
-        must(net_write_stiffness(args.common.dir, &all, chosen, k, args.about != NULL, K, &why),
-             &why);
+        must(net_write_stiffness(args.common.dir, &all, chosen, k, of_body, K, &why), &why);
     } else {
         must(out_open(&o, args.common.out, &why), &why);
-        if (args.about)
+        if (of_body)
             net_print_body(K, &o);
         else
             net_print_stiffness(&all, chosen, k, K, &o);
@@ -285,6 +309,58 @@ static void print_stiffness(void)
     }
     free(chosen);
     free(K);
+}
+
+/* --move: the body, before anything is solved. */
+static void move_body(void)
+{
+    double move[6];
+    struct net_body from;
+    struct why why;
+    int body;
+
+    if (numbers_read(args.move, 6, move, &why) != SW_OK)
+        die(SW_USAGE, "option --move: %s", why.text);
+    body = chosen_body("move");
+    from = all.net.body[body];
+    if (!from.held)
+        die(SW_USAGE, "option --move: body '%s' is free", roll_name(&all.bodies, body));
+    net_move_body(&all, body, &from, move);
+}
+
+/* --moves: the curve in place of all else. */
+static int print_curve(const struct net_options *solver)
+{
+    struct out o;
+    struct why why;
+    int failed, body = chosen_body("moves");
+
+    must(out_open(&o, args.common.out, &why), &why);
+    must(net_print_curve(&all, solver, body, args.moves, &o, &failed, &why), &why);
+    must(out_close(&o, &why), &why);
+    return failed > 0;
+}
+
+/* --pretension, and the system with what it needs. */
+static enum status solve(const struct net_options *o, struct net_state *ret)
+{
+    int by = 0;
+    struct net_target *target;
+    struct why why;
+    enum status s;
+
+    set_word("by", "length anchor", args.by, &by);
+    if (args.pretension.n == 0)
+        return net_settle(&all.net, o, ret);
+    target = calloc((size_t)args.pretension.n, sizeof *target);
+    if (!target)
+        die(SW_NOMEM, "%s", status_text(SW_NOMEM));
+    for (int i = 0; i < args.pretension.n; i++)
+        if (net_take_target(&all, args.pretension.item[i], by, &target[i], &why) != SW_OK)
+            die(SW_USAGE, "option --pretension: %s", why.text);
+    s = net_tune(&all.net, o, target, args.pretension.n, ret);
+    free(target);
+    return s;
 }
 
 static int deck_on_stdout(void)
@@ -331,6 +407,10 @@ int main(int argc, char **argv)
         opt_usage(&tool);
     if (args.about && !args.stiffness)
         die(SW_USAGE, "option --about belongs to --stiffness");
+    if (args.by && args.pretension.n == 0)
+        die(SW_USAGE, "option --by belongs to --pretension");
+    if (args.moves && (args.common.dir || args.stiffness || args.write_deck))
+        die(SW_USAGE, "option --moves prints the curve alone");
     if (args.common.out && args.common.dir)
         die(SW_USAGE, "options -o and -d: all tables go to the directory");
     load(argv[operand]);
@@ -338,13 +418,17 @@ int main(int argc, char **argv)
         return system_lint(&all, tell) > 0;
     o = solver_options(c.method);
     r.method = method_name(c.method);
-    r.status = net_solve(&all.net, &o, &state);
+    if (args.move)
+        move_body();
+    r.status = solve(&o, &state);
     if (r.status != SW_OK) {
         explain(r.status, c.method, &state, &why);
         if (r.status == SW_NOCONV && args.common.dir)
             print_results(&r); /* how far it came */
         must(r.status, &why);
     }
+    if (args.moves)
+        return print_curve(&o);
     remark();
     warn_of_bed();
     if (args.verify)

@@ -52,23 +52,6 @@ enum status net_choose_body(const struct system *p, const char *name, int *ret, 
     return held > 1 ? fail(why, SW_USAGE, "%d bodies are held: name one by --body", held) : SW_OK;
 }
 
-enum status net_read_move(const char *text, double move[6], struct why *why)
-{
-    char copy[300], *word, *rest = NULL;
-    int n = 0;
-
-    if (snprintf(copy, sizeof copy, "%s", text) >= (int)sizeof copy)
-        return fail(why, SW_USAGE, "too long");
-    for (word = strtok_r(copy, ",", &rest); word; word = strtok_r(NULL, ",", &rest)) {
-        const char *reason = n < 6 ? number_read(word, &move[n]) : "more than six numbers";
-
-        if (reason)
-            return fail(why, SW_USAGE, "'%.60s': %s", word, reason);
-        n++;
-    }
-    return n == 6 ? SW_OK : fail(why, SW_USAGE, "six numbers are expected, DX,DY,DZ,RX,RY,RZ");
-}
-
 void net_move_body(struct system *p, int body, const struct net_body *from, const double move[6])
 {
     struct net_body *to = &p->net.body[body];
@@ -81,8 +64,9 @@ void net_move_body(struct system *p, int body, const struct net_body *from, cons
 }
 
 enum { DX, RX = 3, N_MOVE = 6 };
-static const struct sheet_column move_column[N_MOVE] = {{"dx_m", 0},   {"dy_m", 0},   {"dz_m", 0},
-                                                        {"rx_rad", 0}, {"ry_rad", 0}, {"rz_rad", 0}};
+static const struct sheet_column move_column[N_MOVE] = {{"dx_m", 0},   {"dy_m", 0},
+                                                        {"dz_m", 0},   {"rx_rad", 0},
+                                                        {"ry_rad", 0}, {"rz_rad", 0}};
 
 /* Largest tension and its rope. */
 static double largest(const struct system *p, const struct net_state *s, int *ret_rope)
@@ -165,4 +149,36 @@ enum status net_print_curve(struct system *p, const struct net_options *solver, 
     net_place_body(&p->net, body);
     sheet_free(&t);
     return s;
+}
+
+/* The node at an end of the rope that is fixed on the ground; -1: none. */
+static int anchor_of(const struct net *net, const struct net_rope *p)
+{
+    if (net->node[p->a].held == 7 && net->node[p->a].body == 0)
+        return p->a;
+    return net->node[p->b].held == 7 && net->node[p->b].body == 0 ? p->b : -1;
+}
+
+enum status net_take_target(const struct system *p, const char *text, int by_anchor,
+                            struct net_target *ret, struct why *why)
+{
+    const char *equals = strrchr(text, '=');
+    int anchor;
+
+    if (!equals)
+        return fail(why, SW_USAGE, "'%.60s': ROPE=TENSION is expected", text);
+    if (numbers_read(equals + 1, 1, &ret->tension, why) != SW_OK)
+        return SW_USAGE;
+    if (!(ret->tension > 0))
+        return fail(why, SW_USAGE, "'%.60s': a tension is positive", text);
+    ret->rope = roll_search(&p->ropes, text, (size_t)(equals - text));
+    if (ret->rope < 0)
+        return fail(why, SW_USAGE, "there is no rope '%.*s'", (int)(equals - text), text);
+    anchor = anchor_of(&p->net, &p->net.rope[ret->rope]);
+    ret->at =
+        anchor == p->net.rope[ret->rope].b ? p->net.rope[ret->rope].a : p->net.rope[ret->rope].b;
+    ret->anchor = by_anchor ? anchor : -1;
+    if (by_anchor && anchor < 0)
+        return fail(why, SW_USAGE, "rope '%s' has no anchor", system_rope(p, ret->rope));
+    return SW_OK;
 }

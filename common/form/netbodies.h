@@ -13,10 +13,12 @@ void net_print_bodies(const struct system *p, const struct net_state *s, struct 
 /* The body that is moved or stiff: by name, or the only one that is held (name NULL).  SW_USAGE. */
 enum status net_choose_body(const struct system *p, const char *name, int *ret, struct why *why);
 
-/* Six numbers with commas between: a displacement [m] and a rotation vector [rad].  SW_USAGE. */
-enum status net_read_move(const char *text, double move[6], struct why *why);
+/* ROPE=TENSION: a tension that is wanted at the end that is no anchor, by the rope's length or by
+ * the place of its anchor.  SW_USAGE. */
+enum status net_take_target(const struct system *p, const char *text, int by_anchor,
+                            struct net_target *ret, struct why *why);
 
-/* Body moved by that from the place that `from` has. */
+/* Body moved by a displacement [m] and a rotation vector [rad] from the place that `from` has. */
 void net_move_body(struct system *p, int body, const struct net_body *from, const double move[6]);
 
 /* The restoring curve: for each row of moves at path ("-": standard input) the forces of the ropes

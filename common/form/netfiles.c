@@ -1,5 +1,6 @@
 /* Results of gapnet. */
 #include "form/netfiles.h"
+#include "form/netbodies.h"
 #include "num/mem.h"
 #include "sys/npy.h"
 
@@ -294,9 +295,9 @@ static enum status make_dir(const char *dir, struct why *why)
     return fail(why, SW_WRITE, "%s: cannot be made: %s", dir, strerror(errno));
 }
 
-enum { NODES, ROPES, SHAPES, HISTORY, SUMMARY, N_FILES };
-static const char *const file_name[N_FILES] = {"nodes.csv", "ropes.csv", "shapes.csv",
-                                               "history.csv", "summary.csv"};
+enum { NODES, ROPES, SHAPES, HISTORY, SUMMARY, BODIES, N_FILES };
+static const char *const file_name[N_FILES] = {"nodes.csv",   "ropes.csv",   "shapes.csv",
+                                               "history.csv", "summary.csv", "bodies.csv"};
 
 static enum status print_file(int which, const struct system *p, const struct net_state *s,
                               const struct net_report *r, struct out *o, struct why *why)
@@ -306,6 +307,7 @@ static enum status print_file(int which, const struct system *p, const struct ne
     case ROPES: net_print_ropes(p, s, o); return SW_OK;
     case SHAPES: return net_print_shapes(p, s, o, why);
     case HISTORY: net_print_history(s, o); return SW_OK;
+    case BODIES: net_print_bodies(p, s, o); return SW_OK;
     default: net_print_summary(p, s, r, o); return SW_OK;
     }
 }
@@ -315,9 +317,10 @@ enum status net_write(const char *dir, const struct system *p, const struct net_
 {
     struct out o[N_FILES];
     char *path[N_FILES] = {NULL};
+    int files = p->net.bodies > 0 ? N_FILES : BODIES; /* their table is the last one */
     enum status status = make_dir(dir, why);
 
-    for (int i = 0; i < N_FILES && status == SW_OK; i++) {
+    for (int i = 0; i < files && status == SW_OK; i++) {
         path[i] = path_in(dir, file_name[i]);
         status = path[i] ? out_open(&o[i], path[i], why) : fail_plain(why, SW_NOMEM);
         if (status == SW_OK)
@@ -325,7 +328,7 @@ enum status net_write(const char *dir, const struct system *p, const struct net_
         if (status == SW_OK)
             status = out_finish(&o[i], why);
     }
-    for (int i = 0; i < N_FILES && status == SW_OK; i++)
+    for (int i = 0; i < files && status == SW_OK; i++)
         status = out_rename(&o[i], why);
     for (int i = 0; i < N_FILES; i++)
         free(path[i]);

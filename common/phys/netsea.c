@@ -164,33 +164,37 @@ static double settle(struct voyage *v)
     return most;
 }
 
-/* Round by round: loads of the present shape, then steps with these. */
+/* Round by round: loads of the present shape, then steps with these.  The bed's push is told anew
+ * once the state is near enough to tell it. */
 static enum status sail(struct voyage *v, const struct net_split *split, int ropes)
 {
     const struct net_options *o = v->o;
-    enum status status = SW_NOCONV;
+    double sunk = INFINITY;
+    int near = 0;
 
-    while (status == SW_NOCONV) {
-        struct net_step now = net_measure(v->net, v->s->t, &v->w, v->s);
-        int near = v->s->steps > 0 && net_is_met(&now, v->s, NEAR);
-        double sunk = near || v->w.hard == 0 ? settle(v) : INFINITY;
+    for (int round = 0; round <= o->steps && v->s->steps <= o->steps; round++) {
+        struct net_step now;
+        enum status status;
 
+        sunk = near || v->w.hard == 0 ? settle(v) : sunk;
         look(v, split, ropes);
         renew(v, v->part);
         net_evaluate(v->net, v->s->x, v->s->t, &v->w);
         now = net_measure(v->net, v->s->t, &v->w, v->s);
+        near = net_is_met(&now, v->s, NEAR);
         if (v->s->steps == 0)
             v->s->step[0] = now;
         if (net_is_met(&now, v->s, o->tolerance) && sunk <= SHALLOW * v->s->size &&
             v->before <= o->tolerance * v->s->scale)
             return SW_OK;
-        if (v->s->steps >= o->steps)
+        if (v->s->steps == o->steps)
             return SW_NOCONV;
         status = net_iterate(v->net, o, o->tolerance, o->hold ? o->steps : v->s->steps + 1, INT_MAX,
                              &v->w, v->s);
-        status = status == SW_OK ? SW_NOCONV : status;
+        if (status != SW_OK && status != SW_NOCONV)
+            return status;
     }
-    return status;
+    return SW_NOCONV;
 }
 
 /* Elements of each rope where it must be split, 0 where not; whether any is. */

@@ -17,12 +17,12 @@ struct tuning {
     const struct net_options *o;
     const struct net_target *target;
     int k;
-    double *u, *best;  /* (k) what is changed, from where it was [m] */
+    double *u, *best;   /* (k) what is changed, from where it was [m] */
     double *off, *next; /* (k) tensions over the wanted ones, less 1 */
-    double *A, *step;  /* (k, k), (k) */
-    double *L0;        /* (k) lengths at the beginning */
-    double (*x)[3];    /* (k) places of the anchors */
-    double (*way)[3];  /* (k) headings along which anchors move away from the other end */
+    double *A, *step;   /* (k, k), (k) */
+    double *L0;         /* (k) lengths at the beginning */
+    double (*x)[3];     /* (k) places of the anchors */
+    double (*way)[3];   /* (k) headings along which anchors move away from the other end */
 };
 
 /* The end of a rope that is no anchor. */
@@ -49,8 +49,8 @@ static void set(const struct tuning *q, const double *u)
             const double *x = q->net->node[t->anchor].x;
             const struct bed *bed = &q->net->sea->bed;
 
-            q->net->node[t->anchor].x[2] += bed_at(bed, x[0], x[1], NULL) -
-                                            bed_at(bed, q->x[i][0], q->x[i][1], NULL);
+            q->net->node[t->anchor].x[2] +=
+                bed_at(bed, x[0], x[1], NULL) - bed_at(bed, q->x[i][0], q->x[i][1], NULL);
         }
     }
 }
@@ -89,7 +89,7 @@ static enum status probe(const struct tuning *q)
         q->u[j] -= h;
         net_state_free(&now);
         for (int i = 0; i < q->k; i++)
-            q->A[i + (size_t)q->k * (size_t)j] = (q->next[i] - q->off[i]) / h;
+            q->A[i + (long)q->k * j] = (q->next[i] - q->off[i]) / h;
     }
     return s;
 }
@@ -133,9 +133,19 @@ static enum status begin(struct net *net, const struct net_options *o,
 {
     size_t n = (size_t)k;
 
-    *q = (struct tuning){net, o, target, k, mem_doubles(n), mem_doubles(n), mem_doubles(n),
-                         mem_doubles(n), mem_doubles(n * n), mem_doubles(n), mem_doubles(n),
-                         mem_zeroed(n, sizeof *q->x), mem_zeroed(n, sizeof *q->way)};
+    *q = (struct tuning){net,
+                         o,
+                         target,
+                         k,
+                         mem_doubles(n),
+                         mem_doubles(n),
+                         mem_doubles(n),
+                         mem_doubles(n),
+                         mem_doubles(n * n),
+                         mem_doubles(n),
+                         mem_doubles(n),
+                         mem_zeroed(n, sizeof *q->x),
+                         mem_zeroed(n, sizeof *q->way)};
     if (!q->u || !q->best || !q->off || !q->next || !q->A || !q->step || !q->L0 || !q->x || !q->way)
         return SW_NOMEM;
     for (int i = 0; i < k; i++)
