@@ -283,7 +283,7 @@ bad 'two copies in one place' '26s/120/360/' \
     ':26: repeat: lines at 360 degrees are there already' map.txt
 bad 'a copy that is none' '26s/120/x/' ":26: column 2: 'x': not a number" map.txt
 bad 'a line that touches nothing' '17s/tension_fair/omit_contact/' \
-    ':17: line 1: omit_contact is not known to statics here' map.txt
+    ':17: line 1: OMIT_CONTACT is not known to statics here' map.txt
 bad 'a force to be found' '12s/2000/#/' ':12: column 9: a free node needs its force' map.txt
 bad 'a guess of a held node' '11s/100/#/' ':11: column 3: a held node needs its coordinate' map.txt
 

@@ -33,7 +33,7 @@ value()
     esac
 }
 
-while read -r file quantity wanted unit tolerance kind source; do
+while read -r file quantity given unit tolerance kind source; do
     case $file in '#'* | '') continue ;; esac
     plain=${quantity#surge5:}
     at=$file
@@ -47,9 +47,9 @@ while read -r file quantity wanted unit tolerance kind source; do
         runs 0 "$at: stiffness" gapnet -q "$@" --stiffness body --about 0,0,0 -d "$at" "$DECKS/$file" ;;
     esac
     found=$(value "$plain" "$at")
-    awk -v x="$found" -v y="$wanted" -v tolerance="$tolerance" -v kind="$kind" 'BEGIN {
+    awk -v x="$found" -v y="$given" -v tolerance="$tolerance" -v kind="$kind" 'BEGIN {
         d = x - y; d = d < 0 ? -d : d; size = y < 0 ? -y : y
         exit !(x != "" && d <= tolerance*(kind == "rel" ? size : 1)) }'
-    ok $? "$file $quantity = $wanted $unit ($source): ${found:-none}"
+    ok $? "$file $quantity = $given $unit ($source): ${found:-none}"
 done <"$DECKS/expected.tsv"
 finish
