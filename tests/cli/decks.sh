@@ -165,6 +165,44 @@ holds 'abs(f[9, 2] - (-0.5*f[4, 2] + sqrt(0.75)*f[4, 3])) < 1e-6 &&
 sed 's/  0   2000   -500/  0   0   -500/' map.txt >pull.txt
 trip pull.txt --set environment.depth=250
 
+runs 0 'moved' gapnet --set environment.depth=250 --move 5,0,1,0,0,0.1 -d moved --write-deck moved.txt pull.txt
+runs 0 'read back' gapnet -d moved-again moved.txt
+agree moved/ropes.csv moved-again/ropes.csv tension_a_N,tension_b_N 1e-2 \
+    'a vessel that was moved is written where it stands'
+
+# A free body: weight at its centre of gravity, buoyancy at its origin; roll, pitch and yaw turn
+# about axes that have turned already.
+printf '[environment]\ndepth = 100\n[tables]\nnodes = spar-nodes.csv\nropes = spar-ropes.csv\n' >spar.ini
+printf 'types = spar-types.csv\nbodies = spar-bodies.csv\n' >>spar.ini
+printf 'type,diameter_m,mass_kg_m,ea_N,cd,cd_axial\nwire,0.06,20,3e8,1.2,0.1\n' >spar-types.csv
+cat >spar-bodies.csv <<END
+body,condition,x_m,y_m,z_m,mass_kg,volume_m3,xg_m,yg_m,zg_m
+body1,free,2,0,-30,6e4,150,1,0.5,-4
+END
+cat >spar-nodes.csv <<END
+node,condition,x_m,y_m,z_m,mass_kg,body
+1,fixed,120,0,-100,,
+2,fixed,-60,103.9,-100,,
+3,fixed,-60,-103.9,-100,,
+4,fixed,4,0,-6,,body1
+5,fixed,-2,3.5,-6,,body1
+6,fixed,-2,-3.5,-6,300,body1
+END
+printf 'rope,node_a,node_b,type,length_m\n1,1,4,wire,131\n2,2,5,wire,131\n3,3,6,wire,131\n' >spar-ropes.csv
+runs 0 'a free body' gapnet -d spar spar.txt
+runs 0 'and its tables' gapnet -d spar-tables spar.ini
+agree spar/nodes.csv spar-tables/nodes.csv node,x_m,y_m,z_m 1e-6 'the same nodes'
+agree spar/ropes.csv spar-tables/ropes.csv rope,tension_a_N,tension_b_N 1e-1 'the same ropes'
+trip spar.txt
+agree first-spar.txt/bodies.csv second-spar.txt/bodies.csv x_m,y_m,z_m,rx_rad,ry_rad,rz_rad 1e-7 \
+    'the body is written where it was found'
+sed '9s/Free /Fixed/; 9s/4    -3   10/90   90   0 /' spar.txt >turned.txt
+runs 0 'a body that is turned twice' gapnet -q -o turned.csv turned.txt
+# Rx(90) Ry(90) takes x to y, y to z, z to x
+holds 'abs(f[4, 2] - (2 - 6)) < 1e-9 && abs(f[4, 3] - 4) < 1e-9 && abs(f[4, 4] + 30) < 1e-9' turned.csv \
+    'roll, then pitch about the axis that it turned'
+trip turned.txt
+
 # One file, many habits: CR LF, tabs, bytes that are no ASCII, comments, no closing line, sections in
 # another order.
 awk '{ gsub(/  +/, "\t"); printf "%s\r\n", $0 }' moordyn2.txt | LC_ALL=C sed 's/m^3/m\xcb\x863/' >habits.txt
