@@ -300,8 +300,9 @@ bad 'a line twice' '35s/^2/1/' ":35: '1' is there already, in line 34"
 bad 'a type twice' '7s/^rope /chain/' ":7: 'chain' is there already, in line 6"
 bad 'a section twice' '31s/LINES/POINTS/' ':31: this section is there already, in line 21'
 bad 'no lines' '34,38d' ':31: section LINES is empty'
-bad 'no section of lines' '31,38d' ': there is no section LINES'
-bad 'no section of points' '21,30d' ': there is no section POINTS'
+bad 'no section of lines' '31,38d' ':42: the file ends without a section LINES'
+bad 'an option that is cut' '42s/120.*/120/' ':42: option: the key behind 120 is missing'
+bad 'no section of points' '21,30d' ':40: the file ends without a section POINTS'
 bad 'a section that fails' '47s/OUTPUTS/FAILURE/' ':47: section FAILURE: statics cannot honour it'
 bad 'a section of controls' '47s/OUTPUTS/CONTROL/' ':47: section CONTROL: statics cannot honour it'
 bad 'an unknown section' '47s/OUTPUTS/WINCHES/' ":47: section 'WINCHES' is not known"
