@@ -97,6 +97,8 @@ agree v2/ropes.csv v2-tables/ropes.csv rope,tension_a_N,tension_b_N,node_a,node_
 holds 'abs(f[4, 2] - (1 + 5*cos(atan2(0, -1)/6))) < 1e-12 && abs(f[4, 3] - 4.5) < 1e-12 &&
     f[4, 4] == -8' v2/nodes.csv 'the yaw of the body turns its points'
 trip moordyn2.txt
+grep -q '^2 rope 6 4 95 10 -' again-moordyn2.txt
+ok $? 'NumSegs is kept'
 
 # v1: forces at points, the length before the ends.
 cat >v1.ini <<END
