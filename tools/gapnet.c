@@ -363,9 +363,10 @@ static enum status solve(const struct net_options *o, struct net_state *ret)
     return s;
 }
 
+/* Whether the deck takes the place of the table of nodes. */
 static int deck_on_stdout(void)
 {
-    return args.write_deck && strcmp(args.write_deck, "-") == 0;
+    return args.write_deck && strcmp(args.write_deck, "-") == 0 && !args.common.out;
 }
 
 static void print_results(const struct net_report *r)
@@ -382,16 +383,25 @@ static void print_results(const struct net_report *r)
     }
 }
 
-static void write_deck(void)
+/* Ready beside its name, since it may be refused; it appears when all else is written. */
+static void write_deck(struct out *o)
 {
-    struct out o;
     struct why why;
 
     if (!args.write_deck)
         return;
-    must(out_open(&o, args.write_deck, &why), &why);
-    must(deck_write(&all, &state, &o, &why), &why);
-    must(out_close(&o, &why), &why);
+    must(out_open(o, args.write_deck, &why), &why);
+    must(deck_write(&all, &state, o, &why), &why);
+    must(out_finish(o, &why), &why);
+}
+
+static void publish_deck(struct out *o)
+{
+    struct why why;
+
+    if (!args.write_deck)
+        return;
+    must(out_rename(o, &why), &why);
     if (all.sea.current.n > 0)
         warn("%s: the current is not in it; set tables.current with it", args.write_deck);
 }
@@ -401,6 +411,7 @@ int main(int argc, char **argv)
     int operand = start_options(&tool, &args.common, argc, argv);
     struct net_report r = {.difference = NAN};
     struct net_options o;
+    struct out deck;
     struct why why;
 
     if (operand != argc - 1)
@@ -413,6 +424,8 @@ int main(int argc, char **argv)
         die(SW_USAGE, "option --moves prints the curve alone");
     if (args.common.out && args.common.dir)
         die(SW_USAGE, "options -o and -d: all tables go to the directory");
+    if (deck_on_stdout() && args.stiffness && !args.common.dir)
+        die(SW_USAGE, "options --write-deck - and --stiffness: one of them needs a file");
     load(argv[operand]);
     if (args.lint)
         return system_lint(&all, tell) > 0;
@@ -433,10 +446,11 @@ int main(int argc, char **argv)
     warn_of_bed();
     if (args.verify)
         r.difference = verify();
-    write_deck(); /* it may be refused */
+    write_deck(&deck);
     print_results(&r);
     if (args.stiffness)
         print_stiffness();
+    publish_deck(&deck);
     net_state_free(&state);
     system_free(&all);
     opt_list_free(&args.common.sets);

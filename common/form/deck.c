@@ -56,7 +56,8 @@ static enum status judge_sections(const struct deck *d, struct why *why)
 
     for (size_t k = 0; k < sizeof needed / sizeof *needed; k++) {
         if (d->opened[needed[k].section] == 0)
-            return fail(why, SW_FORMAT, "%.400s: there is no section %s", d->name, needed[k].name);
+            return deck_fail(why, d, d->lines, "the file ends without a section %s",
+                             needed[k].name);
         if (deck_next(d, needed[k].section, -1) < 0)
             return deck_fail(why, d, d->opened[needed[k].section], "section %s is empty",
                              needed[k].name);

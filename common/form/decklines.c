@@ -105,7 +105,7 @@ static enum status take_line(const struct deck *d, int i, const struct form *f,
         return deck_fail(why, d, row->line, "there is no type of lines '%.60s'", row->word[TYPE]);
     for (int k = 0; k < 2; k++) {
         end[k] = find_end(p, nodes, row->word[f->end[k]]);
-        if (end[k] < 0)
+        if (end[k] < 0 || end[k] + shift >= p->nodes.n) /* a copy has no copies */
             return deck_fail(why, d, row->line, "there is no point '%.60s'", row->word[f->end[k]]);
     }
     to->a = end[0] + shift;
@@ -115,6 +115,7 @@ static enum status take_line(const struct deck *d, int i, const struct form *f,
         s = deck_number(d, i, f->segments, 1, 1e6, &segments, why);
     if (s == SW_OK && segments != floor(segments))
         s = deck_fail(why, d, row->line, "column %d: a whole number is expected", f->segments + 1);
+    p->segments[r] = s == SW_OK ? (int)segments : 0;
     return s == SW_OK ? system_take_rope(p, r, chain && segments > 1 ? (int)segments : -1, why) : s;
 }
 

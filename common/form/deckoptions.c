@@ -73,6 +73,16 @@ static int take_option(const struct deck_row *row, const char **ret_name, const 
     return 0;
 }
 
+/* A number that nothing follows is an option cut short. */
+static enum status judge_option(const struct deck *d, const struct deck_row *row, struct why *why)
+{
+    double number;
+
+    if (row->n > 1 || number_read(row->word[0], &number) != NULL)
+        return SW_OK;
+    return deck_fail(why, d, row->line, "option: the key behind %.60s is missing", row->word[0]);
+}
+
 /* Whether the value names a file beside the deck. */
 static enum status is_file(const struct deck *d, const char *value, int *ret, struct why *why)
 {
@@ -127,9 +137,11 @@ enum status deck_sections(const char *path, struct ini *ret, struct why *why)
     if (!ret->name)
         s = fail_plain(why, SW_NOMEM);
     for (int i = deck_next(&d, DECK_OPTIONS, -1); i >= 0 && s == SW_OK;
-         i = deck_next(&d, DECK_OPTIONS, i))
-        if (take_option(&d.row[i], &name, &value) && key_of(name))
+         i = deck_next(&d, DECK_OPTIONS, i)) {
+        s = judge_option(&d, &d.row[i], why);
+        if (s == SW_OK && take_option(&d.row[i], &name, &value) && key_of(name))
             s = take_key(&d, d.row[i].line, name, value, ret, why);
+    }
     deck_free(&d);
     return s;
 }

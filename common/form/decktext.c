@@ -204,6 +204,7 @@ static enum status take_text(struct deck *d, size_t size, struct why *why)
         s = take_line(&r, p, why);
         p = next;
     }
+    d->lines = r.line;
     return s;
 }
 

@@ -40,6 +40,7 @@ struct deck {
     char **word; /* all of them, one row after another */
     struct deck_row *row;
     int n;
+    int lines;                            /* of the file */
     int opened[DECK_SECTIONS];            /* line of the heading, 0: no such section */
     struct deck_row names[DECK_SECTIONS]; /* of the columns */
     struct deck_row units[DECK_SECTIONS]; /* of the columns */

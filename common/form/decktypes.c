@@ -102,15 +102,18 @@ static enum status take_pairs(struct in *in, double **table, int *n, struct why 
 }
 
 /* A file of strains and tensions beside the deck. */
-static enum status take_table(const struct deck *d, const char *file, struct system_type *to,
-                              struct why *why)
+static enum status take_table(const struct deck *d, int i, struct system_type *to, struct why *why)
 {
+    const char *file = d->row[i].word[EA];
     char *path = case_beside(d->name, file);
     double *pairs = NULL;
     int n = 0;
     struct in in = {.f = NULL};
     enum status s = path ? in_open(path, &in, why) : fail_plain(why, SW_NOMEM);
 
+    if (s == SW_READ)
+        s = deck_fail(why, d, d->row[i].line,
+                      "column %d (EA): '%.60s' is neither a number nor a file", EA + 1, file);
     if (s == SW_OK)
         s = take_pairs(&in, &pairs, &n, why);
     in_close(&in);
@@ -141,7 +144,7 @@ static enum status take_stiffness(const struct deck *d, int i, struct system_typ
     enum status s;
 
     if (strspn(text, "+-.0123456789") == 0 && !deck_same(text, "nan") && !deck_same(text, "inf"))
-        return take_table(d, text, to, why);
+        return take_table(d, i, to, why);
     s = deck_numbers(d, i, EA, 3, said, &n, why);
     to->law.EA = said[0];
     if (s == SW_OK && !(to->law.EA >= 1e-9 && to->law.EA <= 1e18))

@@ -121,7 +121,8 @@ static void write_lines(const struct system *p, struct out *o)
             "(#) (name) (#) (#) (m) (-) (-)", o);
     for (int r = 0; r < p->ropes.n; r++) {
         const struct net_rope *rope = &p->net.rope[r];
-        int n = rope->rope.elements > 0 ? rope->rope.elements : p->c.elements;
+        int said = p->segments[r] > 0 ? p->segments[r] : p->c.elements;
+        int n = rope->rope.elements > 0 ? rope->rope.elements : said;
 
         fprintf(o->f, "%d ", r + 1);
         type_name(p, p->type_of[r], o);
@@ -161,7 +162,7 @@ enum status deck_write(const struct system *p, const struct net_state *s, struct
         return status;
     fputs("---------------------- MoorDyn v2 input ----------------------\n"
           "Written by gapnet " SEILWERK_VERSION ": free points and bodies stand in equilibrium.\n"
-          "What only dynamics needs is set to common values: BA, Ca, CaAx, I, NumSegs.\n",
+          "What only dynamics needs is set to common values: BA, Ca, CaAx, I.\n",
           o->f);
     write_types(p, o);
     write_bodies(p, s, o);

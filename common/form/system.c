@@ -34,6 +34,7 @@ enum status system_room(struct system *p, struct why *why)
                    room((void **)&p->node, p->net.n, sizeof *p->node) &&
                    room((void **)&p->net.rope, p->net.m, sizeof *p->net.rope) &&
                    room((void **)&p->type_of, p->net.m, sizeof *p->type_of) &&
+                   room((void **)&p->segments, p->net.m, sizeof *p->segments) &&
                    room((void **)&p->type, p->types.n, sizeof *p->type) &&
                    room((void **)&p->net.body, p->net.bodies, sizeof *p->net.body) &&
                    room((void **)&p->body, p->net.bodies, sizeof *p->body)
@@ -189,7 +190,7 @@ enum status system_pass(struct system *p, int warns, struct why *why, const char
 
 void system_free(struct system *s)
 {
-    void *const all[] = {s->type_of,  s->node,     s->body,      s->net.node,
+    void *const all[] = {s->type_of,  s->segments, s->node,      s->body,         s->net.node,
                          s->net.rope, s->net.body, s->bed_table, s->current_table};
 
     for (int i = 0; s->type && i < s->types.n; i++)

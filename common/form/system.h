@@ -66,6 +66,7 @@ struct system {
     struct roll nodes, ropes, types, bodies;
     struct system_type *type; /* owned, like all that follows */
     int *type_of;             /* of each rope */
+    int *segments;            /* of each rope in codes of dynamics; 0: not said */
     struct system_node *node;
     struct system_body *body;
     struct net net;    /* its nodes, ropes and bodies */
@@ -128,7 +129,8 @@ enum status system_take_body(struct system *p, int i, struct why *why);
 enum status system_judge(struct system *p, struct why *why);
 
 /* Something was passed over: words for the user.  SW_NOMEM. */
-__attribute__((format(printf, 4, 5))) enum status
-system_pass(struct system *p, int warns, struct why *why, const char *format, ...);
+__attribute__((format(printf, 4, 5))) enum status system_pass(struct system *p, int warns,
+                                                              struct why *why, const char *format,
+                                                              ...);
 
 #endif

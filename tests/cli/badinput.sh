@@ -308,6 +308,19 @@ refuses 1 'lift: exact without phi' sling --exact flat.csv
 refuses 1 'lift: lever without phi' sling --lever flat.csv
 refuses 2 'lift: contour and design' sling --contour v_m,z_m --design v_m=1 lifts.csv
 
+# Mooring decks; tests/cli/decks.sh has each error of theirs.
+cp "$here/../data/decks/moordyn2.txt" deck.txt
+head -c 900 deck.txt >cut.txt
+refuses 2 'deck: cut short' gapnet cut.txt
+sed 's/ OUTPUTS / WINCHES /' deck.txt >section.txt
+refuses 2 'deck: an unknown section' gapnet section.txt
+printf -- '---- LINES ----\n\0' >zero.txt
+refuses 2 'deck: a zero byte' gapnet zero.txt
+refuses 2 'deck: --set out of range' gapnet --set environment.water_density=-1 deck.txt
+refuses 2 'deck: written over itself' gapnet --write-deck deck.txt deck.txt
+refuses 1 'deck: written to nowhere' gapnet --write-deck nowhere/deck.txt deck.txt
+refuses 2 'deck: and stiffness to standard output' gapnet --write-deck - --stiffness 6 deck.txt
+
 # Outputs.
 refuses 1 'below a regular file' catenary -o stay.ini/line.csv stay.ini
 refuses 1 'a directory as output' catenary -o . stay.ini
