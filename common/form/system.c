@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define INSIDE 1e-6 /* m, and of the height: deeper than that is inside the bed */
+
 void system_begin(const struct system_case *c, struct system *ret)
 {
     *ret = (struct system){.c = *c};
@@ -137,6 +139,23 @@ enum status system_take_body(struct system *p, int i, struct why *why)
     return SW_OK;
 }
 
+/* What is held inside the bed cannot let a rope begin there. */
+static enum status judge_bed(const struct system *p, struct why *why)
+{
+    for (int i = 0; i < p->net.n; i++) {
+        const double *x = p->net.node[i].x;
+        double deep;
+
+        if (p->net.node[i].held != 7 || p->sea.bed.kind == BED_NONE)
+            continue;
+        deep = bed_at(&p->sea.bed, x[0], x[1], NULL) - x[2];
+        if (deep > INSIDE * (1 + fabs(x[2])))
+            return roll_fail(why, &p->nodes, i, "'%s' is held %.4g m inside the bed",
+                             system_node(p, i), deep);
+    }
+    return SW_OK;
+}
+
 enum status system_judge(struct system *p, struct why *why)
 {
     int is_rope, at;
@@ -144,6 +163,8 @@ enum status system_judge(struct system *p, struct why *why)
 
     if (p->net.m == 0)
         return fail(why, SW_FORMAT, "%.400s: has no ropes", p->ropes.file);
+    if (judge_bed(p, why) != SW_OK)
+        return SW_FORMAT;
     reason = net_refused(&p->net, &is_rope, &at);
     if (!reason)
         return SW_OK;

@@ -70,7 +70,7 @@ static int is_anchor(const struct system *s, int i)
     return ropes > 0;
 }
 
-/* Anchors stand on the bed; nothing that is held lies below it. */
+/* Anchors stand on the bed; one inside it was refused before. */
 static int lint_anchors(const struct system *s, void (*tell)(const char *text))
 {
     int found = 0;
@@ -80,11 +80,10 @@ static int lint_anchors(const struct system *s, void (*tell)(const char *text))
         const struct net_node *p = &s->net.node[i];
         double bed = bed_at(&s->sea.bed, p->x[0], p->x[1], NULL), above = p->x[2] - bed;
 
-        if (!(p->held & 4) || !(fabs(above) > OFF_BED * fabs(bed)) ||
-            (above > 0 && !is_anchor(s, i)))
+        if (!(p->held & 4) || !(above > OFF_BED * fabs(bed)) || !is_anchor(s, i))
             continue;
-        roll_fail(&why, &s->nodes, i, "it is held %.6g m %s the bed, which lies at z = %.6g m",
-                  fabs(above), above > 0 ? "above" : "below", bed);
+        roll_fail(&why, &s->nodes, i, "it is held %.6g m above the bed, which lies at z = %.6g m",
+                  above, bed);
         tell(why.text);
         found++;
     }

@@ -9,6 +9,8 @@
 #include <string.h>
 
 #define ENOUGH 0.3      /* of the first slope: a shortened step ends there */
+#define FEWER_TRIALS 25 /* over a bed */
+#define NEARER 0.25     /* of what is missing, squared: a step that does so is good */
 #define TRIALS 80       /* of a step's length */
 #define ROUND_OFF 1e-13 /* of the products of tensions and lengths */
 #define BRIEF 0.1       /* a short step */
@@ -68,18 +70,33 @@ static double round_off(const struct net *net, const struct net_state *s, const 
     return ROUND_OFF * sum;
 }
 
+/* Gaps over the size and residuals over the largest tension, squared. */
+static double missing(const struct net *net, const struct net_state *s, const struct net_work *w)
+{
+    double sum = 0;
+
+    for (int i = 0; i < 3 * net->m; i++)
+        sum += w->gap[i] * w->gap[i] / (s->size * s->size);
+    for (int i = 0; i < 3 * net->n; i++)
+        if (w->dof[i] >= 0)
+            sum += w->residual[i] * w->residual[i] / (s->scale * s->scale);
+    return sum;
+}
+
 /* A factor at which the slope has nearly vanished, or the whole step: by regula falsi (Illinois).
  * The trial state stands there. */
 static double search(const struct net *net, const struct net_state *s, struct net_work *w)
 {
     double first = slope(net, w), low = 0, high = 1, at_low = first, at_high, factor = 1;
-    double enough = ENOUGH * fabs(first) + round_off(net, s, w);
+    double enough = ENOUGH * fabs(first) + round_off(net, s, w), before = missing(net, s, w);
 
     try_step(net, s, 1, w);
     at_high = slope(net, w);
     if (at_high <= enough)
         return 1;
-    for (int k = 0; k < TRIALS; k++) {
+    if (w->hard > 0 && missing(net, s, w) < NEARER * before)
+        return 1; /* friction and slopes of the bed are no convex ground */
+    for (int k = 0; k < (w->hard > 0 ? FEWER_TRIALS : TRIALS); k++) {
         double now;
 
         factor = isfinite(at_high) ? (low * at_high - high * at_low) / (at_high - at_low)

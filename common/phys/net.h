@@ -22,6 +22,7 @@
 
 #include "num/sparse.h"
 #include "phys/rope.h"
+#include "phys/touch.h"
 
 struct net_node {
     int held;         /* bits 1, 2, 4: x, y, z do not move */
@@ -48,10 +49,11 @@ struct net_body {
 };
 
 struct net_rope {
-    int a, b;  /* nodes */
-    int pulls; /* a rope of one element: whether it carries tension only */
-    int cut;   /* a rope of one element: cut free like longer ones, and no bar */
-    int over;  /* set by net_solve: over a plane bed, by touch.h, for given ends */
+    int a, b;                 /* nodes */
+    int pulls;                /* a rope of one element: whether it carries tension only */
+    int cut;                  /* a rope of one element: cut free like longer ones, and no bar */
+    enum touch_pulled pulled; /* set by net_solve: the end that is farther from the anchors */
+    int over;                 /* set by net_solve: over a plane bed, by touch.h, for given ends */
     struct rope rope;
     double across, along; /* in a current: density cd diameter/2, density cd_axial pi diameter/2 */
     double friction;      /* on the bed */
@@ -182,8 +184,8 @@ struct net_target {
                        from the other end; -1: the rope's length is changed */
 };
 
-/* net_settle with lengths and anchors changed until all tensions are as wanted; they stay changed in
- * net.  SW_NOCONV: no such lengths or anchors were found. */
+/* net_settle with lengths and anchors changed until all tensions are as wanted; they stay changed
+ * in net.  SW_NOCONV: no such lengths or anchors were found. */
 enum status net_tune(struct net *net, const struct net_options *o, const struct net_target *target,
                      int k, struct net_state *ret);
 

@@ -1,5 +1,6 @@
 /* Forces of systems of ropes: of nodes, bars and ropes, what is missing to their balance, and the
  * step that would close it. */
+#include "num/dense.h"
 #include "phys/network.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 
 #define PART 1e-5   /* of the reference force: less than that is no tension to compare with */
 #define REST 1e-10  /* of the bed's hardness: stiffness of what nothing holds */
-#define STIFFER 6   /* powers of ten above that */
+#define STIFFER 10  /* powers of ten above that */
 #define THREADS 512 /* ropes from which threads share them */
 
 void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM])
@@ -75,7 +76,7 @@ static void evaluate_rope(const struct net *net, const double *x, const double *
 
     if (p->over) {
         gap[0] = gap[1] = gap[2] = 0;
-        if (!net_over(net, p, a, b, w->pull + 6 * (size_t)r, w->over_K + 36 * (size_t)r))
+        if (!net_over(net, p, a, b, w->pull + 6 * (size_t)r, w->exact, w->over_K + 36 * (size_t)r))
             w->pull[6 * (size_t)r] = NAN;
         return;
     }
@@ -220,13 +221,45 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
     return ret;
 }
 
-/* On a bed nodes may rest where nothing holds them sideways, among slack ropes: a small resistance
- * to any displacement, which changes the way, not where it ends. */
-static enum status stiffen(struct net_work *w, double times)
+/* The symmetric part of a block, 6 x 6, without what is negative in it. */
+static enum status make_convex(double *K)
 {
-    for (int i = 0; i < w->unknowns; i++)
-        w->A.value[sparse_at(&w->A, i, i)] += times * REST * w->hard;
-    return sparse_factor(&w->A);
+    double X[36], lambda[6];
+    enum status s;
+
+    for (int i = 0; i < 36; i++)
+        X[i] = (K[i] + K[i / 6 + 6 * (i % 6)]) / 2;
+    s = dense_symmetric(6, X, lambda);
+    for (int i = 0; i < 36 && s == SW_OK; i++) {
+        K[i] = 0;
+        for (int k = 0; k < 6; k++)
+            K[i] += fmax(0, lambda[k]) * X[i % 6 + 6 * k] * X[i / 6 + 6 * k];
+    }
+    return s;
+}
+
+/*
+ * On a bed nodes may rest where nothing holds them sideways, among slack ropes; and on a slope or
+ * with friction ropes are not quite symmetric.  The positive part, and a small resistance to any
+ * displacement change the way, not where it ends.
+ */
+static enum status stiffen(const struct net *net, struct net_work *w)
+{
+    enum status s = SW_OK;
+
+    for (int r = 0; r < net->m && s == SW_OK; r++)
+        if (net->rope[r].over)
+            s = make_convex(w->over_K + 36 * (size_t)r);
+    if (s != SW_OK)
+        return s;
+    net_assemble(net, w);
+    s = SW_INDEFINITE;
+    for (int k = 0; k < STIFFER && s == SW_INDEFINITE; k++) {
+        for (int i = 0; i < w->unknowns; i++)
+            w->A.value[sparse_at(&w->A, i, i)] += pow(10, k) * REST * w->hard;
+        s = sparse_factor(&w->A);
+    }
+    return s;
 }
 
 enum status net_find_step(const struct net *net, struct net_work *w, int *ret_worst)
@@ -250,8 +283,8 @@ enum status net_find_step(const struct net *net, struct net_work *w, int *ret_wo
         }
     }
     s = sparse_factor(&w->A);
-    for (int k = 0; k < STIFFER && s == SW_INDEFINITE && w->hard > 0; k++)
-        s = stiffen(w, pow(10, k));
+    if (s == SW_INDEFINITE && w->hard > 0)
+        s = stiffen(net, w);
     if (s == SW_INDEFINITE)
         *ret_worst = net_node_of(net, w, w->A.failed);
     if (s == SW_OK)

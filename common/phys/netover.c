@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#define LOW 1e-6    /* of its length: a free node so near to the bed rests on it */
 #define NARROW 1e-9 /* of its length: ends above each other */
 #define HANGING 9   /* pieces of what hangs, at each end */
 #define LYING 4     /* of a stretch that lies */
@@ -15,7 +16,7 @@ struct stand {
     struct touch_rope rope;
     struct touch_place place;
     double c[2], g[2]; /* heading from a to b, gradient of the bed */
-    double low[2];     /* height of the bed at a and b */
+    double rise[2];    /* of place.h with the ends' heights */
 };
 
 int net_goes_over(const struct net *net, const struct net_rope *p)
@@ -24,27 +25,16 @@ int net_goes_over(const struct net *net, const struct net_rope *p)
            p->rope.elements == 0 && p->rope.q[2] < 0 && p->rope.q[0] == 0 && p->rope.q[1] == 0;
 }
 
-/* Held on the ground, and on no body. */
-static int is_anchor(const struct net_node *p)
+/* Height of end i over the bed.  The force goes as its square root at first; so that round-off of a
+ * node that rests on the bed does not shake it, the first millionths of the length count less. */
+static void stand_end(const struct bed *bed, const struct net_node *node, const double *x,
+                      double L0, int i, struct stand *s)
 {
-    return p->held == 7 && p->body == 0;
-}
+    double h = fmax(0, x[2] - bed_at(bed, x[0], x[1], s->g)), low = LOW * L0;
+    int rests = !(node->held & 4) && h < low;
 
-/* An end on the bed is the anchor; where both lie, the one that is held on the ground. */
-enum touch_pulled net_pulled(const struct net *net, const struct net_rope *p, const double *a,
-                             const double *b)
-{
-    const struct bed *bed = &net->sea->bed;
-    int on_a = a[2] - bed_at(bed, a[0], a[1], NULL) <= NARROW * p->rope.L0;
-    int on_b = b[2] - bed_at(bed, b[0], b[1], NULL) <= NARROW * p->rope.L0;
-
-    if (on_a && on_b) {
-        on_a = is_anchor(&net->node[p->a]);
-        on_b = is_anchor(&net->node[p->b]);
-    }
-    if (on_a == on_b)
-        return TOUCH_ALIKE;
-    return on_a ? TOUCH_PULLED_B : TOUCH_PULLED_A;
+    s->place.h[i] = rests ? h * h / low : h;
+    s->rise[i] = rests ? 2 * h / low : 1;
 }
 
 static void stand_up(const struct net *net, const struct net_rope *p, const double *a,
@@ -54,38 +44,38 @@ static void stand_up(const struct net *net, const struct net_rope *p, const doub
     double d[2] = {b[0] - a[0], b[1] - a[1]}, x = hypot(d[0], d[1]);
     int narrow = !(x > NARROW * p->rope.L0);
 
-    s->low[0] = bed_at(bed, a[0], a[1], s->g);
-    s->low[1] = bed_at(bed, b[0], b[1], NULL);
+    stand_end(bed, &net->node[p->a], a, p->rope.L0, 0, s);
+    stand_end(bed, &net->node[p->b], b, p->rope.L0, 1, s);
     s->c[0] = narrow ? 1 : d[0] / x;
     s->c[1] = narrow ? 0 : d[1] / x;
     s->place.x = narrow ? NARROW * p->rope.L0 : x;
     s->place.slope = s->g[0] * s->c[0] + s->g[1] * s->c[1];
-    s->place.h[0] = fmax(0, a[2] - s->low[0]);
-    s->place.h[1] = fmax(0, b[2] - s->low[1]);
     s->rope = (struct touch_rope){.L0 = p->rope.L0,
                                   .w = -p->rope.q[2],
                                   .EA = p->rope.law.EA,
-                                  .friction = p->friction};
-    s->rope.pulled = net_pulled(net, p, a, b);
+                                  .friction = p->friction,
+                                  .pulled = p->pulled};
 }
 
 /* Stiffness of the six coordinates from the four of the plane: x, slope, h_a, h_b by the
- * coordinates, and the forces' own turning with the heading. */
-static void stiffness(const struct stand *s, const struct touch *t, double K[36])
+ * coordinates, and the forces' own turning with the heading.  Not exact: the slope is taken as if
+ * it did not change with the heading, for what that brings is not symmetric. */
+static void stiffness(const struct stand *s, const struct touch *t, int exact, double K[36])
 {
     double by[4][6] = {{0}}, x = s->place.x;
 
     for (int i = 0; i < 2; i++) {
-        double turned = (s->g[i] - s->place.slope * s->c[i]) / x;
+        double turned = exact ? (s->g[i] - s->place.slope * s->c[i]) / x : 0;
 
         by[0][i] = -s->c[i];
         by[0][3 + i] = s->c[i];
         by[1][i] = -turned;
         by[1][3 + i] = turned;
-        by[2][i] = -s->g[i];
-        by[3][3 + i] = -s->g[i];
+        by[2][i] = -s->g[i] * s->rise[0];
+        by[3][3 + i] = -s->g[i] * s->rise[1];
     }
-    by[2][2] = by[3][5] = 1;
+    by[2][2] = s->rise[0];
+    by[3][5] = s->rise[1];
     for (int j = 0; j < 6; j++)
         for (int end = 0; end < 2; end++) {
             double H = 0, V = 0, sign = end == 0 ? 1 : -1;
@@ -105,7 +95,7 @@ static void stiffness(const struct stand *s, const struct touch *t, double K[36]
 }
 
 int net_over(const struct net *net, const struct net_rope *p, const double *a, const double *b,
-             double pull[6], double K[36])
+             double pull[6], int exact, double K[36])
 {
     struct stand s;
     struct touch t;
@@ -120,7 +110,7 @@ int net_over(const struct net *net, const struct net_rope *p, const double *a, c
     pull[2] = -t.V[0];
     pull[5] = t.V[1];
     if (K)
-        stiffness(&s, &t, K);
+        stiffness(&s, &t, exact, K);
     return 1;
 }
 

@@ -13,12 +13,15 @@
 #define MORE 1.5     /* and where it did */
 #define LEAST 0.02   /* of it, at the least */
 #define NEAR                                                                                       \
-    1e-6           /* of the size and the largest tension: the bed's push is told by such a state  \
-                    */
-#define SETTLED 60 /* rounds after which friction is no longer looked for */
-#define FEW 40     /* steps with the same loads before a safer way is taken */
-#define BRIEF 120  /* steps without further care */
-#define DRY 100    /* steps of a first try without the bed */
+    1e-6            /* of the size and the largest tension: the bed's push is told by such a state \
+                     */
+#define SETTLED 60  /* rounds after which friction is no longer looked for */
+#define PATIENCE 20 /* short steps in a row */
+#define GROUND 1e-6 /* of the size: what is held so near to the bed is an anchor */
+#define VAIN 3      /* rounds that do not get there */
+#define FEW 40      /* steps with the same loads before a safer way is taken */
+#define BRIEF 120   /* steps without further care */
+#define DRY 100     /* steps of a first try without the bed */
 
 /* A net in the sea on its way to balance. */
 struct voyage {
@@ -110,9 +113,8 @@ static void add_friction(const struct voyage *v, int first, int last)
 {
     const struct net *net = v->net;
     const double *x = v->s->x;
-    int a = net->rope[first].a, b = net->rope[last].b, lies = 0;
-    struct net_rope whole = {.a = a, .b = b, .rope = {.L0 = net->rope[first].rope.L0}};
-    enum touch_pulled pulled = net_pulled(net, &whole, x + 3 * a, x + 3 * b);
+    int lies = 0;
+    enum touch_pulled pulled = net->rope[first].pulled;
     double T = 0;
 
     for (int k = 0; k < last - first && pulled != TOUCH_ALIKE; k++) {
@@ -194,11 +196,11 @@ static double count_on_bed(struct voyage *v)
 }
 
 /* At most so many steps with the loads as they are. */
-static enum status steps_on(const struct voyage *v, int most)
+static enum status steps_on(struct voyage *v, int most)
 {
     int last = most < v->o->steps - v->s->steps ? v->s->steps + most : v->o->steps;
 
-    return net_iterate(v->net, v->o, v->o->tolerance, last, INT_MAX, &v->w, v->s);
+    return net_iterate(v->net, v->o, v->o->tolerance, last, PATIENCE, &v->w, v->s);
 }
 
 /* Round by round: loads of the present shape, then steps with these.  The bed's push is told anew
@@ -207,7 +209,7 @@ static enum status sail(struct voyage *v, const struct net_split *split, int rop
 {
     const struct net_options *o = v->o;
     double sunk = INFINITY;
-    int near = 0, one_by_one = v->net->sea->current.n > 0 && !o->hold && !safe;
+    int vain = 0, near = 0, one_by_one = v->net->sea->current.n > 0 && !o->hold && !safe;
 
     for (int round = 0; round <= o->steps && v->s->steps <= o->steps; round++) {
         struct net_step now;
@@ -229,7 +231,8 @@ static enum status sail(struct voyage *v, const struct net_split *split, int rop
         status = steps_on(v, one_by_one ? 1 : safe ? FEW : o->steps);
         if (status == SW_NOCONV && safe && !one_by_one)
             status = net_iterate_all_ways(v->net, o, &v->w, v->s);
-        if (status != SW_OK && status != SW_NOCONV)
+        if ((status != SW_OK && status != SW_NOCONV) ||
+            (!one_by_one && status == SW_NOCONV && vain++ == VAIN))
             return status;
     }
     return SW_NOCONV;
@@ -252,33 +255,49 @@ static int choose_parts(const struct net *net, const struct net_options *o, int 
     return any;
 }
 
-/* Whether a solution without a bed stays above it. */
-static int is_clear(const struct net *net, const struct net_state *s)
+static int nodes_are_clear(const struct net *net, const struct net_state *s)
 {
     const struct bed *bed = &net->sea->bed;
-    struct rope_point *point;
-    int most = NET_POINTS, clear = 1;
 
     for (int i = 0; i < net->n; i++)
-        clear &= net->node[i].held & 4 ||
-                 s->x[3 * i + 2] >= bed_at(bed, s->x[3 * i], s->x[3 * i + 1], NULL);
+        if (!(net->node[i].held & 4) &&
+            s->x[3 * i + 2] < bed_at(bed, s->x[3 * i], s->x[3 * i + 1], NULL))
+            return 0;
+    return 1;
+}
+
+/* Of rope r; point: room for its points. */
+static int rope_is_clear(const struct net *net, const struct net_state *s, int r,
+                         struct rope_point *point)
+{
+    const struct net_rope *p = &net->rope[r];
+    const double *a = s->x + 3 * p->a;
+    int n;
+
+    if (net_goes_over(net, p))
+        return !net_over_lies(net, p, a, s->x + 3 * p->b);
+    n = net_points(net, s, r, point);
+    for (int k = 1; k + 1 < n; k++)
+        if (a[2] + point[k].x[2] <
+            bed_at(&net->sea->bed, a[0] + point[k].x[0], a[1] + point[k].x[1], NULL))
+            return 0;
+    return 1;
+}
+
+/* Whether a solution without a bed stays above it.  SW_NOMEM. */
+static enum status is_clear(const struct net *net, const struct net_state *s, int *ret)
+{
+    struct rope_point *point;
+    int most = NET_POINTS;
+
+    *ret = nodes_are_clear(net, s);
     for (int r = 0; r < net->m; r++)
         most = net->rope[r].rope.elements + 1 > most ? net->rope[r].rope.elements + 1 : most;
     point = mem_zeroed((size_t)most, sizeof *point);
-    for (int r = 0; r < net->m && point && clear; r++) {
-        const struct net_rope *p = &net->rope[r];
-        const double *a = s->x + 3 * p->a;
-        int n = net_goes_over(net, p) ? 0 : net_points(net, s, r, point);
-
-        if (n == 0)
-            clear = !net_over_lies(net, p, a, s->x + 3 * p->b);
-        for (int k = 1; k + 1 < n && clear; k++)
-            clear = a[2] + point[k].x[2] >=
-                    bed_at(bed, a[0] + point[k].x[0], a[1] + point[k].x[1], NULL);
-    }
-    clear &= point != NULL;
+    for (int r = 0; r < net->m && point && *ret; r++)
+        *ret = rope_is_clear(net, s, r, point);
     free(point);
-    return clear;
+    return point ? SW_OK : SW_NOMEM;
 }
 
 /* Nodes out of the bed, where a solution without it has put them. */
@@ -444,20 +463,69 @@ static enum status solve_split(const struct net *net, const struct net_options *
     return s;
 }
 
+/* Ropes between node i and others are that much farther from the anchors than it is. */
+static int reach_out(const struct net *net, int *far)
+{
+    int any = 0;
+
+    for (int r = 0; r < net->m; r++)
+        for (int end = 0; end < 2; end++) {
+            int from = end ? net->rope[r].b : net->rope[r].a;
+            int to = end ? net->rope[r].a : net->rope[r].b;
+
+            if (far[from] + 1 < far[to]) {
+                far[to] = far[from] + 1;
+                any = 1;
+            }
+        }
+    return any;
+}
+
+/* Friction acts towards the anchors: nodes that are held on the ground.  SW_NOMEM. */
+static enum status find_pulled(struct net *net)
+{
+    int *far = mem_zeroed((size_t)net->n, sizeof *far);
+    double size = net_size(net);
+
+    if (!far)
+        return SW_NOMEM;
+    for (int i = 0; i < net->n; i++) {
+        const struct net_node *p = &net->node[i];
+        double h = p->held == 7 ? p->x[2] - bed_at(&net->sea->bed, p->x[0], p->x[1], NULL) : 0;
+
+        far[i] = p->held == 7 && p->body == 0 && h <= GROUND * size ? 0 : net->n;
+    }
+    while (reach_out(net, far))
+        ;
+    for (int r = 0; r < net->m; r++) {
+        struct net_rope *p = &net->rope[r];
+
+        p->pulled = far[p->a] == far[p->b]  ? TOUCH_ALIKE
+                    : far[p->a] < far[p->b] ? TOUCH_PULLED_B
+                                            : TOUCH_PULLED_A;
+    }
+    free(far);
+    return SW_OK;
+}
+
 enum status net_solve_in_sea(struct net *net, const struct net_options *o, struct net_state *ret)
 {
-    int *parts = mem_zeroed((size_t)net->m, sizeof *parts);
+    int *parts = mem_zeroed((size_t)net->m, sizeof *parts), clear = 0;
     struct net_options brief = *o;
     struct net_state dry = {.x = NULL};
     enum status s = parts ? SW_OK : SW_NOMEM;
 
+    if (s == SW_OK)
+        s = find_pulled(net);
     brief.steps = o->steps < DRY ? o->steps : DRY;
     *ret = (struct net_state){.worst = -1};
     if (s == SW_OK && o->method == NET_IMAGINARY)
         s = SW_ADMISSIBLE;
     if (s == SW_OK && net->sea->current.n == 0) {
         s = net_solve_dry(net, &brief, &dry);
-        if (s == SW_OK && is_clear(net, &dry)) {
+        if (s == SW_OK)
+            s = is_clear(net, &dry, &clear);
+        if (s == SW_OK && clear) {
             free(parts);
             *ret = dry;
             return SW_OK;

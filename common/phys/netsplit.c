@@ -30,7 +30,8 @@ static void split_rope(const struct net_rope *p, int n, int cut, struct net *fin
                                .cut = cut,
                                .across = p->across,
                                .along = p->along,
-                               .friction = p->friction};
+                               .friction = p->friction,
+                               .pulled = p->pulled};
         e->rope = (struct rope){.law = p->rope.law, .L0 = p->rope.L0 / n, .elements = 1};
         if (k == n)
             continue;

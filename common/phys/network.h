@@ -46,6 +46,7 @@ struct net_work {
     double *over_K;   /* (m, 36) their stiffness, column-major: - d(force on a, on b)/d(x_a, x_b) */
     double *lean;     /* (n) push of the bed that is counted on [N] */
     double *push;     /* (n) push that there is: lean and what sinks in [N] */
+    int exact;        /* stiffness of ropes over a bed */
     double hard;      /* further push for each metre that a node sinks in [N/m] */
     double *K;        /* (m, SYM) */
     double *node_K;   /* (n, SYM) */
@@ -81,14 +82,10 @@ int net_is_placed(const struct net_rope *r);
 /* Whether it can be taken as a rope over a bed: continuous, heavy, over a plane, no current. */
 int net_goes_over(const struct net *net, const struct net_rope *p);
 
-/* From which end friction sees a rope from a to b pulled. */
-enum touch_pulled net_pulled(const struct net *net, const struct net_rope *p, const double *a,
-                             const double *b);
-
-/* End tensions (at a, at b, both towards b) and stiffness or NULL of such a rope between a and b;
- * 0: it cannot be solved. */
+/* End tensions (at a, at b, both towards b) and stiffness or NULL of such a rope between a and b,
+ * exact or good enough for a step; 0: it cannot be solved. */
 int net_over(const struct net *net, const struct net_rope *p, const double *a, const double *b,
-             double pull[6], double K[36]);
+             double pull[6], int exact, double K[36]);
 
 /* Whether it touches the bed. */
 int net_over_lies(const struct net *net, const struct net_rope *p, const double *a,

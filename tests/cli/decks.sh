@@ -264,8 +264,8 @@ sed 's/-259.8  -120/-259.8  -119/' moordyn2.txt >off.txt
 runs 1 'lint: an anchor off the bed' gapnet --lint off.txt
 says 'gapnet: off.txt:26: it is held 1 m above the bed, which lies at z = -120 m' 'is told'
 sed 's/-259.8  -120/-259.8  -121/' moordyn2.txt >off.txt
-runs 1 'lint: an anchor below the bed' gapnet --lint off.txt
-says 'off.txt:26: it is held 1 m below the bed' 'is told'
+runs 2 'an anchor inside the bed' gapnet --lint off.txt
+says "off.txt:26: '3' is held 1 m inside the bed" 'is told'
 sed 's/^3    chain     2        5        318/3 chain 2 5 200/' moordyn2.txt >short.txt
 runs 1 'lint: a line too short' gapnet --lint short.txt
 says 'short.txt:36: its nodes are' 'is told'
