@@ -21,7 +21,7 @@ static const struct opt_tool tool = {"gapcheck", "DIR",
 static void print(const struct net_proof *p, struct out *o)
 {
     fputs("nodes,ropes,points,largest_tension_N,size_m,node_residual,worst_node,joint_residual,"
-          "worst_rope,gap,gap_rope\n",
+          "worst_rope,gap,gap_rope,bed_pull,bed_rope\n",
           o->f);
     fprintf(o->f, "%d,%d,%d,", p->nodes, p->ropes, p->points);
     out_number(o, p->tension);
@@ -39,6 +39,10 @@ static void print(const struct net_proof *p, struct out *o)
     out_number(o, p->gap);
     putc(',', o->f);
     out_cell(o, p->gap_rope);
+    putc(',', o->f);
+    out_number(o, p->bed);
+    putc(',', o->f);
+    out_cell(o, p->bed_rope);
     putc('\n', o->f);
 }
 
@@ -64,5 +68,8 @@ int main(int argc, char **argv)
     if (!(p.gap <= GAP))
         die(SW_NOCONV, "%s: rope '%s' misses by %.3g of the system's size", argv[operand],
             p.gap_rope, p.gap);
+    if (!(p.bed <= UNBALANCE))
+        die(SW_NOCONV, "%s: the bed pulls at rope '%s' by %.3g of the largest tension",
+            argv[operand], p.bed_rope, p.bed);
     return 0;
 }

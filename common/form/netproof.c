@@ -75,7 +75,7 @@ struct tables {
     double *x, *sum;          /* (nodes, 3): position; balance so far */
     double *ta, *tb;          /* (ropes, 3) */
     double *point, *load, *t; /* (points, 3) */
-    double *s, *strain;       /* (points) */
+    double *s, *strain, *bed; /* (points) */
     int *a, *b, *first;       /* (ropes): nodes, first point; (ropes + 1) of the last */
     double *L0, *EA;
     int *hooke; /* (ropes): strain is tension over EA; else as the table of shapes has it */
@@ -199,6 +199,8 @@ static enum status take_points(struct tables *p, struct why *why)
             s = numbers(&p->shapes, k, ST, 3, p->t + 3 * k, why);
         if (s == SW_OK)
             s = numbers(&p->shapes, k, STRAIN, 1, p->strain + k, why);
+        if (s == SW_OK)
+            s = sheet_number(&p->shapes, k, BED, -1e300, 1e300, 0, p->bed + k, why);
     }
     p->first[p->ropes.n] = p->shapes.n;
     if (s == SW_OK && r != p->ropes.n - 1)
@@ -237,6 +239,7 @@ static enum status make_room(struct tables *p, struct why *why)
     p->t = mem_doubles(3 * k);
     p->s = mem_doubles(k);
     p->strain = mem_doubles(k);
+    p->bed = mem_doubles(k);
     p->L0 = mem_doubles(m);
     p->EA = mem_doubles(m);
     p->a = mem_zeroed(m, sizeof *p->a);
@@ -252,9 +255,9 @@ static enum status make_room(struct tables *p, struct why *why)
 
 static void tables_free(struct tables *p)
 {
-    void *const all[] = {p->x, p->sum,   p->ta,       p->tb,   p->point, p->load,
-                         p->t, p->s,     p->strain,   p->L0,   p->EA,    p->a,
-                         p->b, p->first, p->elements, p->hooke};
+    void *const all[] = {p->x, p->sum, p->ta,     p->tb,       p->point, p->load,
+                         p->t, p->s,   p->strain, p->bed,      p->L0,    p->EA,
+                         p->a, p->b,   p->first,  p->elements, p->hooke};
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);
@@ -405,6 +408,14 @@ static double prove_bar(const struct tables *p, int r, double tension)
     return (l > 0 ? size(across) : fabs(N)) / tension; /* no length: it can push nowhere */
 }
 
+/* The bed pushes, or does nothing. */
+static void prove_bed(const struct tables *p, int r, struct net_proof *ret)
+{
+    for (int k = p->first[r]; k < p->first[r + 1]; k++)
+        keep_worst(-p->bed[k] / ret->force, &ret->bed, sheet_text(&p->ropes, r, ROPE),
+                   ret->bed_rope);
+}
+
 static void prove_shape(const struct tables *p, int r, struct net_proof *ret)
 {
     const char *name = sheet_text(&p->ropes, r, ROPE);
@@ -462,6 +473,7 @@ enum status net_prove(const char *dir, struct net_proof *ret, struct why *why)
         prove_nodes(&p, ret);
         for (int r = 0; r < p.ropes.n; r++) {
             prove_joints(&p, r, ret);
+            prove_bed(&p, r, ret);
             if (p.elements[r] == 1)
                 keep_worst(prove_bar(&p, r, ret->force), &ret->joint, sheet_text(&p.ropes, r, ROPE),
                            ret->rope);

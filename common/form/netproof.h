@@ -1,6 +1,6 @@
 /*
  * The proof of a solution of gapnet, from its tables alone: nodes and joints in balance, ropes that
- * reach from node to node by the law of their material.
+ * reach from node to node by the law of their material, a bed that pulls at none of them.
  *
  * It shares no code with the solver but the reading of tables: element by element, continuous ropes
  * by adaptive quadrature of (1/T + 1/EA) t ds.
@@ -19,7 +19,9 @@ struct net_proof {
     double unbalance;     /* largest of the nodes over that force */
     double joint;         /* the same of the joints, and of ends against the table of ropes */
     double gap;           /* largest distance of a point from where its rope puts it, over size */
-    char node[PROOF_NAME], rope[PROOF_NAME], gap_rope[PROOF_NAME]; /* the worst ones */
+    double bed;           /* largest pull of the bed, which can only push, over that force */
+    char node[PROOF_NAME], rope[PROOF_NAME], gap_rope[PROOF_NAME],
+        bed_rope[PROOF_NAME]; /* the worst ones */
     int nodes, ropes, points;
 };
 
