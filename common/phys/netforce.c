@@ -76,7 +76,7 @@ static void evaluate_rope(const struct net *net, const double *x, const double *
 
     if (p->over) {
         gap[0] = gap[1] = gap[2] = 0;
-        if (!net_over(net, p, a, b, w->pull + 6 * (size_t)r, w->exact, w->over_K + 36 * (size_t)r))
+        if (!net_over(net, p, a, b, w->pull + 6 * (size_t)r, w->over, w->over_K + 36 * (size_t)r))
             w->pull[6 * (size_t)r] = NAN;
         return;
     }

@@ -95,12 +95,14 @@ static void stiffness(const struct stand *s, const struct touch *t, int exact, d
 }
 
 int net_over(const struct net *net, const struct net_rope *p, const double *a, const double *b,
-             double pull[6], int exact, double K[36])
+             double pull[6], enum over how, double K[36])
 {
     struct stand s;
     struct touch t;
 
     stand_up(net, p, a, b, &s);
+    if (how == OVER_SMOOTH)
+        s.rope.friction = 0;
     if (touch_solve(&s.rope, &s.place, &t) != SW_OK)
         return 0;
     for (int i = 0; i < 2; i++) {
@@ -110,7 +112,7 @@ int net_over(const struct net *net, const struct net_rope *p, const double *a, c
     pull[2] = -t.V[0];
     pull[5] = t.V[1];
     if (K)
-        stiffness(&s, &t, exact, K);
+        stiffness(&s, &t, how == OVER_EXACT, K);
     return 1;
 }
 

@@ -363,6 +363,23 @@ static enum status set_sail(struct voyage *v, const struct net_state *dry)
     return status;
 }
 
+/* Friction makes the tension go as a square root of the distance where it begins, which Newton's
+ * method cannot pass: ropes over the bed come near without it. */
+static enum status come_near(struct voyage *v)
+{
+    enum status s = SW_OK;
+    int rubs = 0;
+
+    for (int r = 0; r < v->net->m; r++)
+        rubs |= v->net->rope[r].over && v->net->rope[r].friction > 0;
+    if (rubs) {
+        v->w.over = OVER_SMOOTH;
+        s = steps_on(v, FEW);
+        v->w.over = OVER_STEP;
+    }
+    return s == SW_NOCONV ? SW_OK : s;
+}
+
 /* First as it is, for not too long; then by the safest way with the first loads, and on from there.
  */
 static enum status travel(struct voyage *v, const struct net_split *split, int ropes,
@@ -375,6 +392,8 @@ static enum status travel(struct voyage *v, const struct net_split *split, int r
     brief.steps = o->steps < BRIEF ? o->steps : BRIEF;
     v->o = &brief;
     if (status == SW_OK)
+        status = come_near(v);
+    if (status == SW_OK)
         status = sail(v, split, ropes, 0);
     v->o = o;
     if ((status == SW_NOCONV || status == SW_INDEFINITE) && brief.steps < o->steps) {
@@ -382,8 +401,10 @@ static enum status travel(struct voyage *v, const struct net_split *split, int r
 
         status = set_sail(v, dry);
         v->s->steps = steps;
+        v->w.over = OVER_SMOOTH;
         if (status == SW_OK)
             status = net_iterate_all_ways(v->net, o, &v->w, v->s);
+        v->w.over = OVER_STEP;
         if (status == SW_OK)
             status = sail(v, split, ropes, 1);
     }

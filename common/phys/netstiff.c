@@ -166,7 +166,7 @@ static enum status stand_still(const struct net *net, const struct net_state *s,
         return status;
     g->w.reference = net_reference(net);
     g->w.hard = s->hard;
-    g->w.exact = 1;
+    g->w.over = OVER_EXACT;
     if (s->hard > 0)
         memcpy(g->w.lean, s->push, sizeof *s->push * (size_t)net->n);
     net_evaluate(&g->net, s->x, s->t, &g->w);

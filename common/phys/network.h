@@ -11,6 +11,10 @@
 
 #include <math.h>
 
+/* Ropes over a bed: with a stiffness that is good enough for a step, the same without friction to
+ * come near first, or with the exact one. */
+enum over { OVER_STEP, OVER_SMOOTH, OVER_EXACT };
+
 #define NET_SHARP 1e-12    /* smoothing, of a rope's load, with which a solution ends */
 #define NET_FREE_POINTS 21 /* points of a continuous rope that hangs free */
 
@@ -46,7 +50,7 @@ struct net_work {
     double *over_K;   /* (m, 36) their stiffness, column-major: - d(force on a, on b)/d(x_a, x_b) */
     double *lean;     /* (n) push of the bed that is counted on [N] */
     double *push;     /* (n) push that there is: lean and what sinks in [N] */
-    int exact;        /* stiffness of ropes over a bed */
+    enum over over;   /* how ropes over a bed are taken */
     double hard;      /* further push for each metre that a node sinks in [N/m] */
     double *K;        /* (m, SYM) */
     double *node_K;   /* (n, SYM) */
@@ -83,9 +87,9 @@ int net_is_placed(const struct net_rope *r);
 int net_goes_over(const struct net *net, const struct net_rope *p);
 
 /* End tensions (at a, at b, both towards b) and stiffness or NULL of such a rope between a and b,
- * exact or good enough for a step; 0: it cannot be solved. */
+ * 0: it cannot be solved. */
 int net_over(const struct net *net, const struct net_rope *p, const double *a, const double *b,
-             double pull[6], int exact, double K[36]);
+             double pull[6], enum over how, double K[36]);
 
 /* Whether it touches the bed. */
 int net_over_lies(const struct net *net, const struct net_rope *p, const double *a,
