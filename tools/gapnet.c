@@ -36,7 +36,7 @@ static const struct opt options[] = {
     {"moves", 0, OPT_TEXT, &args.moves, "FILE", "restoring curve: a row for each move in the table",
      0, 0},
     {"pretension", 0, OPT_LIST, &args.pretension, "ROPE=TENSION",
-     "find the rope's length for this tension", 0, 0},
+     "find the length or anchor that gives a rope this tension", 0, 0},
     {"by", 0, OPT_TEXT, &args.by, "WHAT", "--pretension: by length or anchor", 0, 0},
     {"lint", 0, OPT_FLAG, &args.lint, NULL, "only check the system", 0, 0},
     {"write-deck", 0, OPT_TEXT, &args.write_deck, "FILE",
@@ -122,20 +122,26 @@ static void explain(enum status s, int method, const struct net_state *p, struct
 {
     int worst = -1;
     double unbalance = s == SW_NOCONV ? net_unbalance(&all, p, &worst) : 0;
+    const struct net_step *last = s == SW_NOCONV ? &p->step[p->steps] : NULL;
 
     if (s == SW_ADMISSIBLE && method == NET_IMAGINARY)
         fail(why, s,
-             "method imaginary needs a system without closed parts, bars, springs, floats and "
-             "nodes that are held in some directions only");
+             "method imaginary needs a system without closed parts, bars, springs, floats, bed, "
+             "current and nodes that are held in some directions only");
     else if (s == SW_ADMISSIBLE)
         fail(why, s, "method displacement needs ropes of elements: take --rope chain");
     else if (s == SW_INDEFINITE)
         fail(why, s, "a mechanism: nothing holds node '%s' where it is", node_name(p->worst));
+    else if (s == SW_NOCONV && p->adrift > c.tolerance)
+        fail(why, s,
+             "not solved: free bodies are out of balance by %.3g of the largest tension or weight",
+             p->adrift);
     else if (s == SW_NOCONV)
         fail(why, s,
              "not solved in %d steps: the largest gap is %.3g of the system's size, the largest "
              "residual %.3g of the largest tension, at node '%s'",
-             p->steps, p->step[p->steps].largest_gap, unbalance, node_name(worst));
+             p->steps, last->largest_gap,
+             fmax(unbalance, p->scale > 0 ? last->residual / p->scale : 0), node_name(worst));
     else
         fail(why, s, "%s", status_text(s));
 }
@@ -182,8 +188,10 @@ static double verify(void)
 
 static void remark(void)
 {
+    struct why why;
+
+    must(net_within_tables(&all, &state, &why), &why);
     for (int r = 0; r < all.net.m; r++) {
-        const struct rope_law *law = &all.net.rope[r].rope.law;
         struct net_outline line;
         double most;
 
@@ -191,12 +199,6 @@ static void remark(void)
         most = fabs(line.most);
         if (most > all.type[all.type_of[r]].breaking)
             warn("rope '%s' is over its breaking load: %.6g N", system_rope(&all, r), most);
-        if (law->n > 0 && line.most < 0 && most > SLACK * state.most)
-            die(SW_ADMISSIBLE, "rope '%s' is pushed by %.6g N; its tension table starts at nothing",
-                system_rope(&all, r), most);
-        if (law->n > 0 && most > law->tension[law->n - 1])
-            die(SW_ADMISSIBLE, "rope '%s' carries %.6g N; its tension table ends at %.6g N",
-                system_rope(&all, r), most, law->tension[law->n - 1]);
     }
 }
 
@@ -326,6 +328,7 @@ static void move_body(void)
     if (!from.held)
         die(SW_USAGE, "option --move: body '%s' is free", roll_name(&all.bodies, body));
     net_move_body(&all, body, &from, move);
+    must(system_judge_bed(&all, &why), &why);
 }
 
 /* --moves: the curve in place of all else. */
@@ -341,26 +344,65 @@ static int print_curve(const struct net_options *solver)
     return failed > 0;
 }
 
-/* --pretension, and the system with what it needs. */
-static enum status solve(const struct net_options *o, struct net_state *ret)
+/* Whether the state is a balance, though not the wanted one. */
+static int is_balance(void)
+{
+    return state.step && state.step[state.steps].largest_gap <= c.tolerance &&
+           state.adrift <= c.tolerance;
+}
+
+/* Words for tensions that no length or anchor gave: the one that is farthest off. */
+static void explain_targets(const struct net_target *target, struct why *why)
+{
+    double most = -1;
+
+    for (int i = 0; i < args.pretension.n; i++) {
+        const struct net_target *t = &target[i];
+        double ta[3], tb[3], T, off;
+
+        net_ends(&all.net, &state, t->rope, ta, tb);
+        T = all.net.rope[t->rope].a == t->at ? hypot(hypot(ta[0], ta[1]), ta[2])
+                                             : hypot(hypot(tb[0], tb[1]), tb[2]);
+        off = fabs(T / t->tension - 1);
+        if (off <= most)
+            continue;
+        most = off;
+        fail(why, SW_NOCONV, "option --pretension: no %s found that gives rope '%s' %.6g N: %.6g N",
+             t->anchor < 0 ? "length" : "place of the anchor", system_rope(&all, t->rope),
+             t->tension, T);
+    }
+}
+
+/* --pretension: the system with what it needs. */
+static enum status tune(const struct net_options *o, struct why *why)
 {
     int by = 0;
-    struct net_target *target;
-    struct why why;
+    struct net_target *target = calloc((size_t)args.pretension.n, sizeof *target);
     enum status s;
 
-    set_word("by", "length anchor", args.by, &by);
-    if (args.pretension.n == 0)
-        return net_settle(&all.net, o, ret);
-    target = calloc((size_t)args.pretension.n, sizeof *target);
     if (!target)
         die(SW_NOMEM, "%s", status_text(SW_NOMEM));
+    set_word("by", "length anchor", args.by, &by);
     for (int i = 0; i < args.pretension.n; i++)
-        if (net_take_target(&all, args.pretension.item[i], by, &target[i], &why) != SW_OK)
-            die(SW_USAGE, "option --pretension: %s", why.text);
-    s = net_tune(&all.net, o, target, args.pretension.n, ret);
+        if (net_take_target(&all, args.pretension.item[i], by, &target[i], why) != SW_OK)
+            die(SW_USAGE, "option --pretension: %s", why->text);
+    s = net_tune(&all.net, o, target, args.pretension.n, &state);
+    if (s == SW_NOCONV && is_balance())
+        explain_targets(target, why);
+    else if (s != SW_OK)
+        explain(s, c.method, &state, why);
     free(target);
     return s;
+}
+
+/* All of it: the state, or why there is none. */
+static enum status solve(const struct net_options *o, struct why *why)
+{
+    enum status s = args.pretension.n > 0 ? tune(o, why) : net_settle(&all.net, o, &state);
+
+    if (s != SW_OK && args.pretension.n == 0)
+        explain(s, c.method, &state, why);
+    return s == SW_OK ? system_judge_bed(&all, why) : s; /* free bodies may be there now */
 }
 
 /* Whether the deck takes the place of the table of nodes. */
@@ -433,9 +475,8 @@ int main(int argc, char **argv)
     r.method = method_name(c.method);
     if (args.move)
         move_body();
-    r.status = solve(&o, &state);
+    r.status = solve(&o, &why);
     if (r.status != SW_OK) {
-        explain(r.status, c.method, &state, &why);
         if (r.status == SW_NOCONV && args.common.dir)
             print_results(&r); /* how far it came */
         must(r.status, &why);

@@ -1,5 +1,6 @@
 /* Rigid bodies of a system of ropes. */
 #include "form/netbodies.h"
+#include "form/netfiles.h"
 #include "form/sheet.h"
 #include "phys/attitude.h"
 #include "sys/number.h"
@@ -87,13 +88,22 @@ static double largest(const struct system *p, const struct net_state *s, int *re
 
 /* The rest of a row: forces and tension of the solved system, or why there are none. */
 static enum status print_answer(struct system *p, const struct net_options *solver, int body,
-                                struct out *o)
+                                struct out *o, struct why *why)
 {
-    struct net_state s;
+    struct net_state s = {.x = NULL};
     double lines[6], own[6], most;
     int rope = 0;
-    enum status status = net_settle(&p->net, solver, &s);
+    enum status status = system_judge_bed(p, why);
 
+    if (status == SW_OK) {
+        status = net_settle(&p->net, solver, &s);
+        if (status != SW_OK)
+            fail(why, status, "%s", status_text(status));
+    }
+    if (status == SW_OK)
+        status = system_judge_bed(p, why); /* free bodies */
+    if (status == SW_OK)
+        status = net_within_tables(p, &s, why);
     if (status == SW_OK) {
         net_body_forces(&p->net, &s, body, p->net.body[body].x, lines, own);
         most = largest(p, &s, &rope);
@@ -124,6 +134,7 @@ enum status net_print_curve(struct system *p, const struct net_options *solver, 
           o->f);
     for (int i = 0; i < t.n && s == SW_OK; i++) {
         double move[N_MOVE];
+        struct why reason;
         enum status solved;
 
         for (int c = 0; c < N_MOVE && s == SW_OK; c++)
@@ -136,11 +147,11 @@ enum status net_print_curve(struct system *p, const struct net_options *solver, 
                 putc(',', o->f);
             out_number(o, move[c]);
         }
-        solved = print_answer(p, solver, body, o);
+        solved = print_answer(p, solver, body, o, &reason);
         if (solved == SW_NOMEM)
             s = fail_plain(why, solved);
         else if (solved != SW_OK) {
-            sheet_fail(why, &t, i, "not solved: %s", status_text(solved));
+            sheet_fail(why, &t, i, "not solved: %.400s", reason.text);
             report(why);
             ++*ret_failed;
         }

@@ -36,6 +36,28 @@ static double slack_below(const struct system *p, const struct net_state *s)
     return SLACK * fmax(s->most, STRAIN * softest);
 }
 
+enum status net_within_tables(const struct system *p, const struct net_state *s, struct why *why)
+{
+    for (int r = 0; r < p->net.m; r++) {
+        const struct rope_law *law = &p->net.rope[r].rope.law;
+        struct net_outline line;
+        double most;
+
+        net_outline(&p->net, s, r, &line);
+        most = fabs(line.most);
+        if (law->n > 0 && line.most < 0 && most > SLACK * s->most)
+            return fail(why, SW_ADMISSIBLE,
+                        "rope '%s' is pushed by %.6g N; its tension table starts at nothing",
+                        system_rope(p, r), most);
+        if (law->n > 0 && most > law->tension[law->n - 1])
+            return fail(why, SW_ADMISSIBLE,
+                        "rope '%s' carries %.6g N; its tension table ends at "
+                        "%.6g N",
+                        system_rope(p, r), most, law->tension[law->n - 1]);
+    }
+    return SW_OK;
+}
+
 /* Force of the ropes on all nodes, (n, 3), allocated; NULL: memory ran out. */
 static double *rope_forces(const struct system *p, const struct net_state *s)
 {

@@ -45,4 +45,7 @@ enum status net_write_stiffness(const char *dir, const struct system *p, const i
 /* Largest residual of a free node over the largest tension, and the node (-1: none). */
 double net_unbalance(const struct system *p, const struct net_state *s, int *ret_node);
 
+/* Whether tension tables know what their ropes carry; else SW_ADMISSIBLE with the rope. */
+enum status net_within_tables(const struct system *p, const struct net_state *s, struct why *why);
+
 #endif

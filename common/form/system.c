@@ -139,19 +139,21 @@ enum status system_take_body(struct system *p, int i, struct why *why)
     return SW_OK;
 }
 
-/* What is held inside the bed cannot let a rope begin there. */
-static enum status judge_bed(const struct system *p, struct why *why)
+/* What stands on the ground may be rounded: within that it is on the bed. */
+enum status system_judge_bed(struct system *p, struct why *why)
 {
     for (int i = 0; i < p->net.n; i++) {
-        const double *x = p->net.node[i].x;
+        struct net_node *node = &p->net.node[i];
         double deep;
 
-        if (p->net.node[i].held != 7 || p->sea.bed.kind == BED_NONE)
+        if (node->held != 7 || p->sea.bed.kind == BED_NONE)
             continue;
-        deep = bed_at(&p->sea.bed, x[0], x[1], NULL) - x[2];
-        if (deep > INSIDE * (1 + fabs(x[2])))
+        deep = bed_at(&p->sea.bed, node->x[0], node->x[1], NULL) - node->x[2];
+        if (deep > INSIDE * (1 + fabs(node->x[2])))
             return roll_fail(why, &p->nodes, i, "'%s' is held %.4g m inside the bed",
                              system_node(p, i), deep);
+        if (deep > 0 && node->body == 0)
+            node->x[2] += deep;
     }
     return SW_OK;
 }
@@ -163,7 +165,7 @@ enum status system_judge(struct system *p, struct why *why)
 
     if (p->net.m == 0)
         return fail(why, SW_FORMAT, "%.400s: has no ropes", p->ropes.file);
-    if (judge_bed(p, why) != SW_OK)
+    if (system_judge_bed(p, why) != SW_OK)
         return SW_FORMAT;
     reason = net_refused(&p->net, &is_rope, &at);
     if (!reason)

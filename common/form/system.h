@@ -95,6 +95,10 @@ enum status system_load(const char *path, const struct system_case *c, struct sy
 
 void system_free(struct system *s);
 
+/* What is held inside the bed, from which no rope can begin, is refused.  SW_FORMAT with the line.
+ */
+enum status system_judge_bed(struct system *p, struct why *why);
+
 /* Names of node i and rope r. */
 const char *system_node(const struct system *s, int i);
 const char *system_rope(const struct system *s, int r);
