@@ -248,7 +248,7 @@ static enum status make_room(struct tables *p, struct why *why)
     p->elements = mem_zeroed(m, sizeof *p->elements);
     p->hooke = mem_zeroed(m, sizeof *p->hooke);
     return p->x && p->sum && p->ta && p->tb && p->point && p->load && p->t && p->s && p->strain &&
-                   p->L0 && p->EA && p->a && p->b && p->first && p->elements && p->hooke
+                   p->bed && p->L0 && p->EA && p->a && p->b && p->first && p->elements && p->hooke
                ? SW_OK
                : fail_plain(why, SW_NOMEM);
 }

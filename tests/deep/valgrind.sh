@@ -51,6 +51,21 @@ runs 1 'diffverf --points' checked diffverf -q --threads 1 --points points.csv \
 runs 0 'stabil' checked stabil --change --set stability.ratio_step=0.2 stay.ini
 runs 0 'stabil, floquet' checked stabil --growth --set stability.method=floquet \
     --set stability.ratio_step=0.4 --set stability.amplitude_step=0.05 stay.ini
+spread=$here/../data/spread
+runs 0 'gapnet, a bed' checked gapnet -d bed --stiffness body --move 3,1,0,0,0,0.02 \
+    "$spread/system.ini"
+runs 0 'gapcheck' checked gapcheck bed
+runs 0 'gapnet, current and a free body' checked gapnet -d flow --set solve.elements=2 \
+    --set tables.current=current.csv --set tables.bodies=afloat.csv "$spread/system.ini"
+runs 0 'gapnet, a grid, drag held' checked gapnet -d grid --set solve.elements=2 --set solve.drag=hold \
+    --set tables.current=current.csv --set environment.depth= --set environment.bed=bed.csv \
+    "$spread/system.ini"
+runs 0 'gapnet --moves' checked gapnet --body vessel --moves "$spread/moves.csv" --set tables.bodies=two.csv \
+    "$spread/system.ini"
+runs 0 'gapnet --pretension' checked gapnet --pretension 1=6e5 --pretension 2=6e5 --by anchor \
+    "$spread/system.ini"
+printf 'dz_m\n0\n-75\nx\n' >sunk.csv
+runs 2 'gapnet, moves that cannot be' checked gapnet --moves sunk.csv "$spread/system.ini"
 runs 0 'print-case' checked diffverf --print-case stay.ini
 runs 2 'a bad case' checked diffverf --set cable.area=x stay.ini
 

@@ -19,6 +19,9 @@ cp "$here/../data/decks/moordyn2.txt" deck.txt
 printf 'tension\nstrain tension\n(-) (N)\n0 0\n0.01 4e5\n0.1 4e6\n' >tension.dat
 sed 's/^wire .*/&\nspare 0.1 20 tension.dat -1 1 0 1 0/; s/^80 .*/&\n1 Currents/' \
     "$here/../data/decks/moordyn1.txt" >table.txt
+cp -r "$here/../data/spread" spread
+printf 'dx_m\n1\n' >move.csv
+head -n 2 spread/ropes.csv >spread/one.csv
 gapnet -d solved --rope chain --set solve.elements=2 net/system.ini
 printf 'type,v_m,z_m,z_m_tol,phi_deg\nprimary,6,2,0.2,30\n' >lift.csv
 cat >points.csv <<END
@@ -63,6 +66,13 @@ run()
     gapnodes) gapnet -o result/out.csv --verify --set solve.elements=2 --rope chain net/system.ini ;;
     gapdeck) gapnet -q -o result/out.csv table.txt ;;
     writedeck) gapnet -o result/nodes.csv --write-deck result/out.csv deck.txt ;;
+    seamoves) gapnet -q -o result/out.csv --set solve.elements=1 --set environment.bed_friction=0 \
+        --set tables.current=current.csv --set tables.bodies=two.csv --set tables.ropes=one.csv \
+        --body vessel --moves move.csv spread/system.ini ;;
+    seabed) gapnet -q -d result/all --set environment.depth= --set environment.bed=bed.csv \
+        --set solve.elements=2 spread/system.ini && cp result/all/bodies.csv result/out.csv ;;
+    pretension) gapnet -q -o result/out.csv --pretension 1=5e5 --pretension 2=4.5e5 --by anchor \
+        --stiffness body spread/system.ini ;;
     gapcheck) gapcheck -o result/out.csv solved ;;
     table) catenary --table -o result/out.csv table.csv ;;
     stiffness) catenary --stiffness -o result/out.csv --set cable.unstressed_length= \
@@ -123,7 +133,8 @@ output()
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
     for tool in catenary modal diffverf sweep steady points print table stiffness sling lift exact \
-        lever contour gapnet gapnodes gapdeck writedeck gapcheck; do
+        lever contour gapnet gapnodes gapdeck writedeck \
+        seamoves seabed pretension gapcheck; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done
