@@ -158,6 +158,20 @@ enum status system_judge_bed(struct system *p, struct why *why)
     return SW_OK;
 }
 
+/* A free body that no node ties to anything drifts away. */
+static enum status judge_bodies(const struct system *p, struct why *why)
+{
+    for (int b = 0; b < p->net.bodies; b++) {
+        int nodes = 0;
+
+        for (int i = 0; i < p->net.n; i++)
+            nodes += p->net.node[i].body == b + 1;
+        if (!p->net.body[b].held && nodes == 0)
+            return roll_fail(why, &p->bodies, b, "no node sits on this body, which is free");
+    }
+    return SW_OK;
+}
+
 enum status system_judge(struct system *p, struct why *why)
 {
     int is_rope, at;
@@ -165,7 +179,7 @@ enum status system_judge(struct system *p, struct why *why)
 
     if (p->net.m == 0)
         return fail(why, SW_FORMAT, "%.400s: has no ropes", p->ropes.file);
-    if (system_judge_bed(p, why) != SW_OK)
+    if (system_judge_bed(p, why) != SW_OK || judge_bodies(p, why) != SW_OK)
         return SW_FORMAT;
     reason = net_refused(&p->net, &is_rope, &at);
     if (!reason)

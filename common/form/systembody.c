@@ -4,6 +4,7 @@
 #include "phys/attitude.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { BODY, CONDITION, X, RX = X + 3, MASS = RX + 3, VOLUME, XG, XB = XG + 3, AREA = XB + 3, N };
@@ -54,11 +55,15 @@ static enum status take_body(const struct sheet *t, int i, struct system_body *s
 enum status system_read_bodies(const char *path, struct system *p, struct why *why)
 {
     struct sheet t;
+    struct roll_index index = {NULL, 0};
     enum status s = sheet_read(p->c.bodies, path, column, N, &t, why);
 
     if (s != SW_OK)
         return s;
     s = sheet_roll(&t, BODY, &p->bodies, why);
+    if (s == SW_OK)
+        s = roll_sort(&p->bodies, &index, why); /* for names that are there twice */
+    free(index.at);
     p->body = mem_zeroed((size_t)t.n, sizeof *p->body);
     p->net.body = mem_zeroed((size_t)t.n, sizeof *p->net.body);
     p->net.bodies = t.n;

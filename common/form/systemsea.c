@@ -80,12 +80,16 @@ static enum status take_grid(const struct sheet *t, struct system *p, struct why
 
 static enum status take_current(const struct sheet *t, struct system *p, struct why *why)
 {
-    double *z = mem_doubles(3 * (size_t)t->n), *u = z + t->n, *v = u + t->n, speed, direction;
+    double *z, *u, *v, speed, direction;
     enum status s = SW_OK;
 
-    p->current_table = z;
+    if (t->n == 0)
+        return fail(why, SW_FORMAT, "%.400s: has no heights", t->name);
+    z = p->current_table = mem_doubles(3 * (size_t)t->n);
     if (!z)
         return fail_plain(why, SW_NOMEM);
+    u = z + t->n;
+    v = u + t->n;
     for (int i = 0; i < t->n && s == SW_OK; i++) {
         s = sheet_number(t, i, 0, -SYSTEM_BIG, SYSTEM_BIG, NAN, &z[i], why);
         if (s == SW_OK)

@@ -321,6 +321,45 @@ refuses 2 'deck: written over itself' gapnet --write-deck deck.txt deck.txt
 refuses 1 'deck: written to nowhere' gapnet --write-deck nowhere/deck.txt deck.txt
 refuses 2 'deck: and stiffness to standard output' gapnet --write-deck - --stiffness 6 deck.txt
 
+# Bed, current and bodies; tests/cli/mooring.sh has what does not fit together.
+spread=$here/../data/spread
+# sea NAME KEY ROW...: a table of these rows in the place of that one.
+sea()
+{
+    name=$1
+    key=$2
+    shift 2
+    printf '%s\n' "$@" >sea.csv
+    set -- --set "$key=$scratch/sea.csv"
+    [ "$key" != environment.bed ] || set -- "$@" --set environment.depth=
+    refuses 2 "sea: $name" gapnet "$@" "$spread/system.ini"
+}
+flow=z_m,speed_m_s,direction_deg
+sea 'a current without a direction' tables.current z_m,speed_m_s 0,1
+sea 'a current of no rows' tables.current "$flow"
+sea 'a negative speed' tables.current "$flow" 0,1,0 -10,-1,0
+sea 'a direction in words' tables.current "$flow" 0,1,north
+sea 'a height twice' tables.current "$flow" 0,1,0 0,2,0
+sea 'a cell too few' tables.current "$flow" 0,1
+grid=x_m,y_m,z_m
+sea 'a grid of one line' environment.bed "$grid" 0,0,-80 0,9,-80
+sea 'a grid of no points' environment.bed "$grid"
+sea 'a depth of nan' environment.bed "$grid" 0,0,-80 0,9,-80 9,0,nan 9,9,-80
+sea 'a grid without heights' environment.bed x_m,y_m 0,0
+body=body,condition,x_m,y_m,z_m
+sea 'a body without a place' tables.bodies "$body" vessel,fixed,0,0,
+sea 'a body twice' tables.bodies "$body" vessel,fixed,0,0,0 vessel,fixed,0,0,0
+sea 'a body of no name' tables.bodies "$body" ,fixed,0,0,0
+sea 'a body of negative mass' tables.bodies "$body,mass_kg" vessel,free,0,0,0,-1
+sea 'a body that is held in some directions' tables.bodies "$body" vessel,xy,0,0,0
+sea 'an unknown column of bodies' tables.bodies "$body,draft_m" vessel,free,0,0,0,1
+sea 'no bodies' tables.bodies "$body"
+sea 'a free body that nothing ties' tables.bodies "$body" vessel,fixed,0,0,0 buoy,free,0,0,0
+for value in environment.depth=deep environment.bed_slope=0.1 environment.bed_friction=-1 \
+    solve.drag=lag environment.bed=nowhere.csv tables.current=nowhere.csv tables.bodies=nowhere.csv; do
+    refuses 2 "sea: $value" gapnet --set "$value" "$spread/system.ini"
+done
+
 # Outputs.
 refuses 1 'below a regular file' catenary -o stay.ini/line.csv stay.ini
 refuses 1 'a directory as output' catenary -o . stay.ini
@@ -432,7 +471,7 @@ refuses 2 'another order of unknowns' diffverf -d torn stay.ini
 cp model/dofs.npy torn/
 runs 0 'as it was, it is good again' diffverf -d torn -o response.csv stay.ini
 
-sed "s|$scratch|.|g" messages >seen
+sed "s|$scratch|.|g; s|$here/../data/|data/|g" messages >seen
 [ "${SEILWERK_GOLDEN:-}" != write ] || cp seen "$golden"
 diff "$golden" seen | sed 's/^/# /'
 cmp -s "$golden" seen
