@@ -312,5 +312,10 @@ awk -F, '$1 == "float" { below = $4 < 0 } END { exit !below }' net-mooring/solve
 ok $? 'mooring: its float is submerged'
 runs 0 'mooring: longer chains' "$top/scripts/net/mooring" net-long 6 100 60 130
 runs 0 'mooring: longer chains: solved' gapnet -d net-long/solved net-long/system.ini
+[ ! -s err ]
+ok $? 'mooring: longer chains: without a warning'
+holds 'n == 6 && f[1, 7] > 1 && f[6, 7] > 1' net-long/solved/ropes.csv 'mooring: longer chains lie on the bed'
+runs 0 'mooring: longer chains: proven' gapcheck net-long/solved
+runs 0 'mooring: without its bed' gapnet --set environment.depth= -d net-long/solved net-long/system.ini
 says "m below the lowest node that is held: there is no bed" 'sag below the anchors is told'
 finish
