@@ -414,7 +414,7 @@ static void random_moorings(void **state)
                 {"with friction", 0, 0, 1, 0.97},
                 {"chains", 30, 0, 0, 0.99},
                 {"in a current", 30, 1, 0, 0.99}};
-    const int N = 200;
+    const int N = 100;
     (void)state;
 
     for (size_t k = 0; k < sizeof kind / sizeof *kind; k++) {
