@@ -11,6 +11,7 @@
 #define STEPS 200    /* of the bodies */
 #define FAR 0.2      /* of the size, and radians: the longest step */
 #define TRIALS 12    /* of a step's length */
+#define LITTLE 1e-9  /* of the stiffness: for what nothing holds, a turn about a single rope */
 #define DAMPING 1e-3 /* of the stiffness, where a step did not help */
 
 static void cross(const double a[3], const double b[3], double ret[3])
@@ -340,14 +341,14 @@ static enum status step_on(struct drift *d, struct net_state *s, double *off, do
                 net_state_free(s);
                 *s = now;
                 *off = left;
-                *damping = *damping > DAMPING ? *damping / 10 : 0;
+                *damping = fmax(*damping / 10, LITTLE);
                 return SW_OK;
             }
             net_state_free(&now);
             if (status == SW_NOCONV || status == SW_INDEFINITE)
                 status = SW_OK;
         }
-        *damping = *damping > 0 ? *damping * 10 : DAMPING;
+        *damping = fmax(*damping * 10, DAMPING);
         missing(d, s, d->W);
     }
     move_bodies(d, 0);
@@ -392,7 +393,7 @@ static void end_drift(struct drift *d)
 enum status net_settle(struct net *net, const struct net_options *o, struct net_state *ret)
 {
     struct drift d;
-    double off, damping = 0;
+    double off, damping = LITTLE;
     enum status s = net_solve(net, o, ret);
     int free_ones = 0;
 
