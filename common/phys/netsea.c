@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define HARD 1e4     /* of the reference force over the size: push for each metre sunk in */
+#define LOOSE 1e-6   /* of the largest tension: lies as it likes */
 #define SHALLOW 1e-9 /* of the size: sinking in that is none */
 #define LESS 0.5     /* of a renewal, where the last one did not bring loads nearer */
 #define MORE 1.5     /* and where it did */
@@ -15,7 +16,8 @@
 #define NEAR                                                                                       \
     1e-6            /* of the size and the largest tension: the bed's push is told by such a state \
                      */
-#define SETTLED 60  /* rounds after which friction is no longer looked for */
+#define USED 0.99   /* of the friction that there may be */
+#define SETTLED 12  /* rounds after which friction is no longer looked for */
 #define PATIENCE 20 /* short steps in a row */
 #define GROUND 1e-6 /* of the size: what is held so near to the bed is an anchor */
 #define VAIN 3      /* rounds that do not get there */
@@ -50,18 +52,46 @@ static void direction(const double *a, const double *b, double ret[3])
         ret[i] = l > 0 ? ret[i] / l : i == 2;
 }
 
-/* Drag of elements, half to each end, and of points. */
-static void add_drag(const struct net *net, const double *x, double *f)
+/* Tension of element r, towards its end b. */
+static double tension(const struct voyage *v, int r)
 {
+    double ta[3], tb[3];
+
+    net_ends_now(v->net, v->s->t, &v->w, r, ta, tb);
+    return net_length(ta);
+}
+
+/* Direction of element r in the current: one that lies slack has none of its own, and takes that of
+ * its rope. */
+static void face(const struct voyage *v, int r, double c[3])
+{
+    const struct net_rope *p = &v->net->rope[r];
+    const double *a = v->s->x + 3 * p->a, *b = v->s->x + 3 * p->b;
+    const double *way = v->net->node[p->b].way;
+
+    if (way[0] == 0 && way[1] == 0)
+        way = v->net->node[p->a].way;
+    direction(a, b, c);
+    if (v->w.hard == 0 || (way[0] == 0 && way[1] == 0) || tension(v, r) > LOOSE * v->s->scale ||
+        (v->w.push[p->a] == 0 && v->w.push[p->b] == 0))
+        return;
+    memcpy(c, way, 2 * sizeof *way);
+    c[2] = 0;
+}
+
+/* Drag of elements, half to each end, and of points. */
+static void add_drag(const struct voyage *v, double *f)
+{
+    const struct net *net = v->net;
     const struct current *flow = &net->sea->current;
+    const double *x = v->s->x;
     double U[3], c[3], drag[3];
 
     for (int r = 0; r < net->m && flow->n > 0; r++) {
         const struct net_rope *p = &net->rope[r];
-        const double *a = x + 3 * p->a, *b = x + 3 * p->b;
 
-        direction(a, b, c);
-        current_at(flow, (a[2] + b[2]) / 2, U, NULL);
+        face(v, r, c);
+        current_at(flow, (x[3 * p->a + 2] + x[3 * p->b + 2]) / 2, U, NULL);
         sea_drag(p->across, p->along, p->rope.L0, c, U, drag);
         for (int i = 0; i < 3; i++) {
             f[3 * p->a + i] += drag[i] / 2;
@@ -73,15 +103,6 @@ static void add_drag(const struct net *net, const double *x, double *f)
         for (int k = 0; k < 3; k++)
             f[3 * i + k] += net->node[i].drag * net_length(U) * U[k];
     }
-}
-
-/* Tension of element r, towards its end b. */
-static double tension(const struct voyage *v, int r)
-{
-    double ta[3], tb[3];
-
-    net_ends_now(v->net, v->s->t, &v->w, r, ta, tb);
-    return net_length(ta);
 }
 
 /* Friction at a joint that lies, whose rope leads along c towards the pulled end, where it carries
@@ -100,11 +121,11 @@ static double rub(const double c[3], double T, double most, const double load[3]
     F = fmin(most, size);
     for (int i = 0; i < 2 && size > 0; i++)
         f[i] -= F * side[i] / size;
-    T = fmax(0, T + along);
-    F = fmin(sqrt(most * most - F * F), T);
+    most = sqrt(most * most - F * F);
+    F = fmax(-most, fmin(most, T + along)); /* what would slide down is held, too */
     for (int i = 0; i < 3; i++)
         f[i] -= F * c[i];
-    return T - F;
+    return fmax(0, T + along - F);
 }
 
 /* Friction of a rope that was split into the elements first..last, from where it meets the bed on
@@ -146,22 +167,43 @@ static void find_way(const struct voyage *v, int first, int last)
             v->net->node[v->net->rope[r].b].way[c] = l > 0 ? d[c] / l : 0;
 }
 
-/* What current and friction do in the present shape.  The bed can hold anything up to C times its
- * push: after some rounds it holds what it then does, within that. */
-static void look(struct voyage *v, const struct net_split *split, int ropes)
+/* Joints whose friction is not used up stay where they are from now on: springs along the bed,
+ * whose forces are the last of the friction. */
+static void stick(const struct voyage *v, const struct net_split *split, int ropes)
+{
+    for (int r = 0; r < ropes; r++)
+        for (int e = split->first[r]; e < split->first[r + 1] - 1; e++) {
+            int i = v->net->rope[e].b;
+            struct net_node *node = &v->net->node[i];
+            double most = v->net->rope[e].friction * v->w.push[i];
+
+            if (!(net_length(v->held + 3 * i) < USED * most))
+                continue;
+            node->K[SYM_XX] = node->K[SYM_YY] = v->w.hard;
+            memcpy(node->anchor, v->s->x + 3 * i, sizeof node->anchor);
+        }
+}
+
+/* What current and friction do in the present shape.  Friction is looked for in states near to
+ * balance only: what a tension on the way has called forth would hold itself up.  The bed can hold
+ * anything up to C times its push: after some rounds it holds what it then does, within that. */
+static void look(struct voyage *v, const struct net_split *split, int ropes, int near)
 {
     size_t bytes = 3 * sizeof *v->fresh * (size_t)v->net->n;
 
     memset(v->fresh, 0, bytes);
-    add_drag(v->net, v->s->x, v->fresh);
+    add_drag(v, v->fresh);
     for (int r = 0; r < ropes; r++)
         find_way(v, split->first[r], split->first[r + 1] - 1);
-    if (v->rounds++ < SETTLED) {
+    v->rounds += near || v->rounds > 0;
+    if (near && v->rounds < SETTLED && v->w.hard > 0) {
         memset(v->held, 0, bytes);
-        for (int r = 0; r < ropes && v->w.hard > 0; r++)
+        for (int r = 0; r < ropes; r++)
             if (v->net->rope[split->first[r]].friction > 0)
                 add_friction(v, split->first[r], split->first[r + 1] - 1);
     }
+    if (v->rounds == SETTLED)
+        stick(v, split, ropes);
     for (int i = 0; i < 3 * v->net->n; i++)
         v->fresh[i] += v->held[i];
 }
@@ -216,7 +258,7 @@ static enum status sail(struct voyage *v, const struct net_split *split, int rop
         enum status status;
 
         sunk = near || v->w.hard == 0 ? count_on_bed(v) : sunk;
-        look(v, split, ropes);
+        look(v, split, ropes, near);
         renew(v, v->part);
         net_evaluate(v->net, v->s->x, v->s->t, &v->w);
         now = net_measure(v->net, v->s->t, &v->w, v->s);
@@ -239,7 +281,7 @@ static enum status sail(struct voyage *v, const struct net_split *split, int rop
 }
 
 /* Elements of each rope where it must be split, 0 where not; whether any is. */
-static int choose_parts(const struct net *net, const struct net_options *o, int *parts)
+static int choose_parts(const struct net *net, const struct net_options *o, int all, int *parts)
 {
     int any = 0;
 
@@ -248,7 +290,7 @@ static int choose_parts(const struct net *net, const struct net_options *o, int 
         int light = net->sea->current.n == 0 && p->rope.elements == 0 && !(p->rope.q[2] < 0);
 
         parts[r] = p->rope.elements > 0 ? p->rope.elements : o->split;
-        if ((net_is_bar(p) && o->method == NET_GAP) || net_goes_over(net, p) || light)
+        if ((net_is_bar(p) && o->method == NET_GAP) || (!all && net_goes_over(net, p)) || light)
             parts[r] = 0;
         any |= parts[r] > 0;
     }
@@ -411,10 +453,16 @@ static enum status travel(struct voyage *v, const struct net_split *split, int r
     return net_conclude(v->net, v->o, status, &v->w, v->s);
 }
 
-/* What the current does to the first n nodes. */
-static void report(const struct voyage *v, int n, struct net_state *ret)
+/* What current and friction do to the first n nodes, the springs of joints that stick with them. */
+static void report(const struct voyage *v, int joints, int n, struct net_state *ret)
 {
-    memcpy(ret->drag, v->load, 3 * sizeof *ret->drag * (size_t)n);
+    for (int i = 0; i < 3 * n; i++) {
+        const struct net_node *p = &v->net->node[i / 3];
+
+        ret->drag[i] = v->load[i];
+        if (i / 3 >= joints && i % 3 < 2)
+            ret->drag[i] -= p->K[SYM_XX] * (v->s->x[i] - p->anchor[i % 3]);
+    }
 }
 
 /* From the fine net's state to that of the coarse one. */
@@ -444,17 +492,23 @@ static void gather(const struct net *net, const struct net_split *split, const s
     }
 }
 
-/* With ropes as they are. */
+/* With ropes as they are; with friction not for too long, for there is another way. */
 static enum status solve_whole(struct net *net, const struct net_options *o,
                                const struct net_state *dry, struct net_state *ret)
 {
+    struct net_options brief = *o;
     struct voyage v;
-    enum status s = new_voyage(net, o, ret, &v);
+    enum status s;
+
+    for (int r = 0; r < net->m; r++)
+        if (net->rope[r].friction > 0 && brief.steps > BRIEF)
+            brief.steps = BRIEF;
+    s = new_voyage(net, &brief, ret, &v);
 
     if (s == SW_OK)
         s = travel(&v, NULL, 0, dry);
     if (s == SW_OK || s == SW_NOCONV)
-        report(&v, net->n, ret);
+        report(&v, net->n, net->n, ret);
     end_voyage(&v);
     return s;
 }
@@ -476,7 +530,7 @@ static enum status solve_split(const struct net *net, const struct net_options *
     if (s == SW_OK)
         s = travel(&v, &fine->split, net->m, NULL);
     if (s == SW_OK || s == SW_NOCONV || s == SW_INDEFINITE) {
-        report(&v, v.net->n, &fine->state);
+        report(&v, net->n, v.net->n, &fine->state);
         gather(net, &fine->split, &fine->state, ret);
     }
     if (v.net)
@@ -553,10 +607,15 @@ enum status net_solve_in_sea(struct net *net, const struct net_options *o, struc
         }
         s = s == SW_NOMEM ? s : SW_OK;
     }
-    if (s == SW_OK && choose_parts(net, o, parts))
-        s = solve_split(net, o, parts, ret);
-    else if (s == SW_OK)
-        s = solve_whole(net, o, dry.x ? &dry : NULL, ret);
+    if (s == SW_OK) {
+        int any = choose_parts(net, o, 0, parts);
+
+        s = any ? solve_split(net, o, parts, ret) : solve_whole(net, o, dry.x ? &dry : NULL, ret);
+        if (s == SW_NOCONV && choose_parts(net, o, 1, parts)) {
+            net_state_free(ret);
+            s = solve_split(net, o, parts, ret);
+        }
+    }
     free(parts);
     net_state_free(&dry);
     if (s == SW_NOMEM)
