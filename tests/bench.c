@@ -11,6 +11,7 @@
 #include "phys/march.h"
 #include "phys/modes.h"
 #include "phys/net.h"
+#include "phys/sea.h"
 #include "sys/number.h"
 
 #include <cblas.h>
@@ -536,6 +537,32 @@ static double mooring_time(int count)
     return 1e3 * (now() - t) / count;
 }
 
+/* Milliseconds of a chain of 410 m in 50 m of water: in closed form, or in a current of 1 m/s in
+ * 100 elements. */
+static double chain_time(int flows)
+{
+    const double z = 0, u = flows ? -1 : 0, v = 0, w = 9.80665 * (390 - 1025 * PI / 4 * 0.0635);
+    struct sea sea = {.bed = {.kind = BED_PLANE, .level = -50}, .current = {flows, &z, &u, &v}};
+    struct net_node node[2] = {{.held = 7, .x = {400, 0, -50}}, {.held = 7}};
+    struct net_rope rope[1] = {{.a = 0,
+                                .b = 1,
+                                .rope = {.law = {.EA = 1.674e9}, .L0 = 410, .q = {0, 0, -w}},
+                                .across = 1025 * 1.37 * 0.252 / 2,
+                                .along = 1025 * 0.64 * PI * 0.252 / 2}};
+    struct net net = {.n = 2, .m = 1, .node = node, .rope = rope, .sea = &sea};
+    struct net_options o = {.tolerance = 5e-10, .steps = 1000, .split = 100};
+    int count = flows ? 20 : 2000;
+    double t = now();
+
+    for (int k = 0; k < count; k++) {
+        struct net_state s;
+
+        expect(net_solve(&net, &o, &s));
+        net_state_free(&s);
+    }
+    return 1e3 * (now() - t) / count;
+}
+
 /* Nanoseconds of one printed number, random bits. */
 static double print_time(int n)
 {
@@ -631,6 +658,8 @@ int main(void)
     report("stabil, Floquet 100 x 100, 12 modes", median(floquet_time, 12), "s", 3 / scale, 0);
     report("stabil, Floquet 200 x 200, 4 modes", median(floquet_time, 4), "s", 3 / scale, 0);
     report("gapnet, nine lines, three free nodes", median(mooring_time, 200), "ms", 1 / scale, 0);
+    report("gapnet, a chain on the bed", median(chain_time, 0), "ms", 0, 0);
+    report("gapnet, a chain on the bed in a current", median(chain_time, 1), "ms", 100 / scale, 0);
     report("gapnet, net of 300 x 300 meshes", mesh_time(300), "s", 30 / scale, 0);
     report("triad, 3 x 160 MB", median(triad, 20000000), "GB/s", 0, 1);
     return 0;

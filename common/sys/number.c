@@ -7,6 +7,7 @@
  * division of a long number by ten (about 0.05 ms once).
  */
 #include "sys/number.h"
+#include "sys/err.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -4,9 +4,11 @@
 #ifndef SEILWERK_SYS_NUMBER_H
 #define SEILWERK_SYS_NUMBER_H
 
-#include "sys/err.h"
+#include "num/status.h"
 
 #include <stddef.h>
+
+struct why; /* sys/err.h */
 
 #define NUMBER_SIZE 32 /* characters that hold any printed number, NUL included */
 
