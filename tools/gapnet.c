@@ -2,6 +2,7 @@
 #include "form/deck.h"
 #include "form/netbodies.h"
 #include "form/netfiles.h"
+#include "form/nettarget.h"
 #include "form/start.h"
 #include "sys/number.h"
 
@@ -27,7 +28,7 @@ static const struct opt options[] = {
     {"rope", 0, OPT_TEXT, &args.rope, "NAME", "chain, catenary or auto", 0, 0},
     {"verify", 0, OPT_FLAG, &args.verify, NULL, "solve by a second method and compare", 0, 0},
     {"stiffness", 0, OPT_TEXT, &args.stiffness, "NODES",
-     "stiffness of these nodes (a,b,...), condensed on the rest", 0, 0},
+     "stiffness of these nodes (a,b,...) or of a body (body), condensed on the rest", 0, 0},
     {"about", 0, OPT_TEXT, &args.about, "X,Y,Z", "--stiffness: of a rigid body that carries them",
      0, 0},
     {"body", 0, OPT_TEXT, &args.body, "NAME", "the body of --move, --moves and --stiffness body", 0,
@@ -226,30 +227,6 @@ static void warn_of_bed(void)
              system_rope(&all, which), bottom - lowest);
 }
 
-/* The nodes a,b,... of --stiffness; their number. */
-static int choose_named(int *ret)
-{
-    const char *p = args.stiffness;
-    int k = 0;
-
-    if (!*p)
-        die(SW_USAGE, "option --stiffness: names of nodes are expected");
-    while (*p) {
-        size_t length = strcspn(p, ",");
-        int found = roll_search(&all.nodes, p, length);
-
-        if (found < 0)
-            die(SW_USAGE, "option --stiffness: there is no node '%.*s'", (int)length, p);
-        for (int i = 0; i < k; i++)
-            if (ret[i] == found)
-                die(SW_USAGE, "option --stiffness: node '%.*s' is named twice", (int)length, p);
-        ret[k++] = found;
-        p += length;
-        p += *p == ',';
-    }
-    return k;
-}
-
 /* The body that options speak of. */
 static int chosen_body(const char *option)
 {
@@ -267,10 +244,12 @@ static int choose(int *ret, double about[3])
     struct why why;
     int k = 0, body;
 
+    if (!is_body_stiffness() && net_choose_nodes(&all, args.stiffness, ret, &k, &why) != SW_OK)
+        die(SW_USAGE, "option --stiffness: %s", why.text);
     if (args.about && numbers_read(args.about, 3, about, &why) != SW_OK)
         die(SW_USAGE, "option --about: %s", why.text);
     if (!is_body_stiffness())
-        return choose_named(ret);
+        return k;
     body = chosen_body("stiffness");
     for (int i = 0; i < all.net.n; i++)
         if (all.net.node[i].body == body + 1)
@@ -351,28 +330,6 @@ static int is_balance(void)
            state.adrift <= c.tolerance;
 }
 
-/* Words for tensions that no length or anchor gave: the one that is farthest off. */
-static void explain_targets(const struct net_target *target, struct why *why)
-{
-    double most = -1;
-
-    for (int i = 0; i < args.pretension.n; i++) {
-        const struct net_target *t = &target[i];
-        double ta[3], tb[3], T, off;
-
-        net_ends(&all.net, &state, t->rope, ta, tb);
-        T = all.net.rope[t->rope].a == t->at ? hypot(hypot(ta[0], ta[1]), ta[2])
-                                             : hypot(hypot(tb[0], tb[1]), tb[2]);
-        off = fabs(T / t->tension - 1);
-        if (off <= most)
-            continue;
-        most = off;
-        fail(why, SW_NOCONV, "option --pretension: no %s found that gives rope '%s' %.6g N: %.6g N",
-             t->anchor < 0 ? "length" : "place of the anchor", system_rope(&all, t->rope),
-             t->tension, T);
-    }
-}
-
 /* --pretension: the system with what it needs. */
 static enum status tune(const struct net_options *o, struct why *why)
 {
@@ -388,7 +345,7 @@ static enum status tune(const struct net_options *o, struct why *why)
             die(SW_USAGE, "option --pretension: %s", why->text);
     s = net_tune(&all.net, o, target, args.pretension.n, &state);
     if (s == SW_NOCONV && is_balance())
-        explain_targets(target, why);
+        net_explain_targets(&all, &state, target, args.pretension.n, why);
     else if (s != SW_OK)
         explain(s, c.method, &state, why);
     free(target);
@@ -460,6 +417,8 @@ int main(int argc, char **argv)
         opt_usage(&tool);
     if (args.about && !args.stiffness)
         die(SW_USAGE, "option --about belongs to --stiffness");
+    if (args.body && !args.move && !args.moves && !is_body_stiffness())
+        die(SW_USAGE, "option --body belongs to --move, --moves and --stiffness body");
     if (args.by && args.pretension.n == 0)
         die(SW_USAGE, "option --by belongs to --pretension");
     if (args.moves && (args.common.dir || args.stiffness || args.write_deck))

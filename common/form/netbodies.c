@@ -3,7 +3,6 @@
 #include "form/netfiles.h"
 #include "form/sheet.h"
 #include "phys/attitude.h"
-#include "sys/number.h"
 
 #include <math.h>
 #include <string.h>
@@ -51,6 +50,30 @@ enum status net_choose_body(const struct system *p, const char *name, int *ret, 
     if (*ret < 0)
         return fail(why, SW_USAGE, "no body is held");
     return held > 1 ? fail(why, SW_USAGE, "%d bodies are held: name one by --body", held) : SW_OK;
+}
+
+enum status net_choose_nodes(const struct system *p, const char *text, int *ret, int *ret_k,
+                             struct why *why)
+{
+    int k = 0;
+
+    if (!*text)
+        return fail(why, SW_USAGE, "names of nodes are expected");
+    while (*text) {
+        size_t length = strcspn(text, ",");
+        int found = roll_search(&p->nodes, text, length);
+
+        if (found < 0)
+            return fail(why, SW_USAGE, "there is no node '%.*s'", (int)length, text);
+        for (int i = 0; i < k; i++)
+            if (ret[i] == found)
+                return fail(why, SW_USAGE, "node '%.*s' is named twice", (int)length, text);
+        ret[k++] = found;
+        text += length;
+        text += *text == ',';
+    }
+    *ret_k = k;
+    return SW_OK;
 }
 
 void net_move_body(struct system *p, int body, const struct net_body *from, const double move[6])
@@ -160,36 +183,4 @@ enum status net_print_curve(struct system *p, const struct net_options *solver, 
     net_place_body(&p->net, body);
     sheet_free(&t);
     return s;
-}
-
-/* The node at an end of the rope that is fixed on the ground; -1: none. */
-static int anchor_of(const struct net *net, const struct net_rope *p)
-{
-    if (net->node[p->a].held == 7 && net->node[p->a].body == 0)
-        return p->a;
-    return net->node[p->b].held == 7 && net->node[p->b].body == 0 ? p->b : -1;
-}
-
-enum status net_take_target(const struct system *p, const char *text, int by_anchor,
-                            struct net_target *ret, struct why *why)
-{
-    const char *equals = strrchr(text, '=');
-    int anchor;
-
-    if (!equals)
-        return fail(why, SW_USAGE, "'%.60s': ROPE=TENSION is expected", text);
-    if (numbers_read(equals + 1, 1, &ret->tension, why) != SW_OK)
-        return SW_USAGE;
-    if (!(ret->tension > 0))
-        return fail(why, SW_USAGE, "'%.60s': a tension is positive", text);
-    ret->rope = roll_search(&p->ropes, text, (size_t)(equals - text));
-    if (ret->rope < 0)
-        return fail(why, SW_USAGE, "there is no rope '%.*s'", (int)(equals - text), text);
-    anchor = anchor_of(&p->net, &p->net.rope[ret->rope]);
-    ret->at =
-        anchor == p->net.rope[ret->rope].b ? p->net.rope[ret->rope].a : p->net.rope[ret->rope].b;
-    ret->anchor = by_anchor ? anchor : -1;
-    if (by_anchor && anchor < 0)
-        return fail(why, SW_USAGE, "rope '%s' has no anchor", system_rope(p, ret->rope));
-    return SW_OK;
 }

@@ -13,10 +13,9 @@ void net_print_bodies(const struct system *p, const struct net_state *s, struct 
 /* The body that is moved or stiff: by name, or the only one that is held (name NULL).  SW_USAGE. */
 enum status net_choose_body(const struct system *p, const char *name, int *ret, struct why *why);
 
-/* ROPE=TENSION: a tension that is wanted at the end that is no anchor, by the rope's length or by
- * the place of its anchor.  SW_USAGE. */
-enum status net_take_target(const struct system *p, const char *text, int by_anchor,
-                            struct net_target *ret, struct why *why);
+/* The nodes a,b,... that text names: ret (as many as there are), *ret_k.  SW_USAGE. */
+enum status net_choose_nodes(const struct system *p, const char *text, int *ret, int *ret_k,
+                             struct why *why);
 
 /* Body moved by a displacement [m] and a rotation vector [rad] from the place that `from` has. */
 void net_move_body(struct system *p, int body, const struct net_body *from, const double move[6]);

@@ -441,6 +441,8 @@ refused 'curve and stiffness' 'option --moves prints the curve alone' --moves mo
 refused 'by without pretension' 'option --by belongs to --pretension' --by anchor spread.ini
 refused 'by an unknown word' "option --by: 'chain' is not one of: length anchor" --by chain \
     --pretension 1=5e5 spread.ini
+refused 'a body for nothing' 'option --body belongs to --move, --moves and --stiffness body' \
+    --body floater --stiffness F1 spread.ini
 refused 'about without stiffness' 'option --about belongs to --stiffness' --about 0,0,0 spread.ini
 refused 'about two numbers' "option --about: '0,0': 3 numbers are expected, commas between them" --stiffness body --about 0,0 spread.ini
 refused 'a move of three numbers' "option --move: '1,0,0': 6 numbers are expected, commas between them" --move 1,0,0 spread.ini
