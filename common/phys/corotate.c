@@ -82,17 +82,14 @@ static void stretch(const struct corotate *e, const double *q, struct place_of *
     }
 }
 
-/* y = spread^T f + S - w x S, and the energy of the load without end 2's part. */
-static void hang(const struct corotate *e, struct place_of *p, struct corotated *ret)
+/* y = spread^T f + S - w x S */
+static void hang(const struct corotate *e, struct place_of *p)
 {
     double turned[3];
 
     vec3_cross(p->w, e->S, turned);
     for (int i = 0; i < 3; i++) {
-        double arm = e->S[i] - turned[i];
-
-        ret->energy -= arm * p->ql[i];
-        p->y[i] = arm;
+        p->y[i] = e->S[i] - turned[i];
         for (int k = 0; k < 6; k++)
             p->y[i] += e->spread[k + 6 * i] * p->f[k];
     }
@@ -108,6 +105,7 @@ static void turn_moments(const struct corotate *e, const double *q, struct place
     vec3_cross(e->D, p->f, p->mw);
     vec3_add(2, p->f + 3, p->mw);
     if (q) {
+        hang(e, p);
         vec3_cross(p->ql, p->y, cross);
         vec3_add(1, cross, p->m);
         vec3_cross(e->S, p->ql, cross);
@@ -325,38 +323,91 @@ static void spread_out(const double G[9], const struct blocks *k, double *K)
     put(G, u2, 2, 3, K);
 }
 
-void corotate(const struct corotate *e, const double d[3], const double q1[4], const double q2[4],
-              const double *q, struct corotated *ret, double *K)
+/* Axes, turn and place; what it takes to know the strains. */
+static void find_place(const struct corotate *e, const double d[3], const double q1[4],
+                       const double q2[4], const double *q, struct corotated *ret,
+                       struct place_of *p)
 {
-    struct place_of p;
     double turn[4], half[4], middle[4], theta[3], R[9];
 
-    if (!e->spread)
-        q = NULL;
-    quat_between(q2, q1, turn); /* (R2^T R1) */
+    quat_between(q2, q1, turn); /* R2^T R1 */
     quat_log(turn, theta);
     quat_half(turn, half);
     quat_multiply(q2, half, middle);
     quat_matrix(middle, R);
     mat3_multiply_nt(R, e->B, ret->G);
-    mat3_apply(e->B, theta, p.w);
-    vec3_scale(0.5, p.w);
-    mat3_apply_t(ret->G, d, p.r);
-    p.by = turning_of(vec3_dot(p.w, p.w));
+    mat3_apply(e->B, theta, p->w);
+    vec3_scale(0.5, p->w);
+    mat3_apply_t(ret->G, d, p->r);
+    p->by = turning_of(vec3_dot(p->w, p->w));
     ret->angle = vec3_length(theta);
     if (q)
-        mat3_apply_t(ret->G, q, p.ql);
-    stretch(e, q, &p, ret);
-    if (q)
-        hang(e, &p, ret);
+        mat3_apply_t(ret->G, q, p->ql);
+    stretch(e, q, p, ret);
+}
+
+void corotate(const struct corotate *e, const double d[3], const double q1[4], const double q2[4],
+              const double *q, const double *guess, struct corotated *ret, double *K)
+{
+    struct place_of p;
+
+    if (!e->spread)
+        q = NULL;
+    find_place(e, d, q1, q2, q, ret, &p);
     turn_moments(e, q, &p);
     hold_ends(e, q, &p, ret);
+    if (q) { /* energy of the load, end 2's part left out */
+        double turned[3];
+
+        vec3_cross(p.w, e->S, turned);
+        ret->energy -= vec3_dot(e->S, p.ql) - vec3_dot(turned, p.ql);
+    }
     if (K) {
         struct blocks k;
 
         kinematics(e, q, &p, &k);
         material(e->K, &k);
+        if (guess) {
+            memcpy(p.f, guess, sizeof p.f);
+            turn_moments(e, q, &p);
+        }
         geometric(e, q, &p, &k);
         spread_out(ret->G, &k, K);
+    }
+}
+
+void corotate_foresee(const struct corotate *e, const double d[3], const double q1[4],
+                      const double q2[4], const double *q, const double du[12], double f[6])
+{
+    struct place_of p;
+    struct corotated here;
+    struct blocks k;
+    double u[3], a[2][3], strain[6];
+
+    if (!e->spread)
+        q = NULL;
+    find_place(e, d, q1, q2, q, &here, &p);
+    kinematics(e, q, &p, &k);
+    for (int i = 0; i < 3; i++)
+        u[i] = du[i] - du[6 + i];
+    mat3_apply_t(here.G, u, strain);
+    memset(strain + 3, 0, 3 * sizeof *strain);
+    mat3_apply_t(here.G, du + 3, a[0]);
+    mat3_apply_t(here.G, du + 9, a[1]);
+    for (int i = 0; i < 3; i++) {
+        double s[3], bend[3];
+
+        for (int j = 0; j < 3; j++) {
+            s[j] = (a[0][j] + a[1][j]) / 2;
+            bend[j] = a[0][j] - a[1][j];
+        }
+        for (int half = 0; half < 2; half++)
+            strain[3 * half + i] +=
+                vec3_dot(k.Y[half] + 3 * i, s) + vec3_dot(k.Z[half] + 3 * i, bend);
+    }
+    for (int i = 0; i < 6; i++) {
+        f[i] = p.f[i];
+        for (int j = 0; j < 6; j++)
+            f[i] += e->K[i + 6 * j] * strain[j];
     }
 }

@@ -33,9 +33,18 @@ struct corotate corotate_beam(const struct beam *b);
 
 /* d = x1 - x2; q1, q2 rotations of the ends from the natural state; q load [N/m, global] or NULL.
  * K (12, 12), or NULL: derivative of the forces by displacements and spins (global), its symmetric
- * part.  What it lacks is half the moment's spin at each end: it cancels where moments of all
- * elements at a node balance. */
+ * part.  What it lacks is -1/2 of each end moment's spin: it cancels where moments of all elements
+ * at a node balance.  guess (6), or NULL: forces at end 1 by which the geometric part of K is made
+ * in place of the true ones. */
 void corotate(const struct corotate *e, const double d[3], const double q1[4], const double q2[4],
-              const double *q, struct corotated *ret, double *K);
+              const double *q, const double *guess, struct corotated *ret, double *K);
+
+/*
+ * The forces at end 1 (element axes) that small moves du (12) of the ends lead to, in linear theory
+ * from here.  Moves along a tangent stretch thin wires, and false tensions stiffen the next step of
+ * Newton's method; these forces are free of that (forces as unknowns of their own, condensed).
+ */
+void corotate_foresee(const struct corotate *e, const double d[3], const double q1[4],
+                      const double q2[4], const double *q, const double du[12], double f[6]);
 
 #endif

@@ -122,7 +122,7 @@ static void strain_energy_gradient(void **state)
         struct corotated mid;
         double D[144], largest = 0;
 
-        corotate(&e, d0, q[0], q[1], load, &mid, K);
+        corotate(&e, d0, q[0], q[1], load, NULL, &mid, K);
         for (int j = 0; j < 12; j++) {
             struct corotated side[2];
             double U[2];
@@ -144,7 +144,7 @@ static void strain_energy_gradient(void **state)
                 const double d[3] = {at[0][0] - at[1][0], at[0][1] - at[1][1],
                                      at[0][2] - at[1][2]};
 
-                corotate(&e, d, turned[0], turned[1], load, &side[sign], NULL);
+                corotate(&e, d, turned[0], turned[1], load, NULL, &side[sign], NULL);
                 U[sign] = side[sign].energy - b.length * vec3_dot(load, at[1]);
             }
             near_abs(mid.force[j], (U[1] - U[0]) / (2 * h), 3e-8 * (1 + fabs(mid.force[j])));

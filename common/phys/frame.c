@@ -1,0 +1,385 @@
+/* Structures of curved beams: numbering, forces, stiffness. */
+#include "phys/frame.h"
+#include "num/mem.h"
+#include "num/quat.h"
+#include "num/vec3.h"
+
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define BLOCK (HINGED_MOST * (HINGED_MOST + 1) / 2)
+
+double frame_factor(const struct frame *f, int stage, double t)
+{
+    double part = t - stage + 1;
+
+    if (stage < 1)
+        return 0;
+    if (stage == f->stages) /* load paths may pass zero and the end */
+        return part;
+    return part < 0 ? 0 : part > 1 ? 1 : part;
+}
+
+/* The unknowns of beam i, or of a spring (i - beams); their number. */
+static int unknowns_of(const struct frame *f, const struct frame_work *w, int i, int *to)
+{
+    int n = 12, b;
+    const struct frame_beam *beam = i < f->beams ? &f->beam[i] : NULL;
+    int a = beam ? beam->a : f->spring[i - f->beams].a;
+
+    b = beam ? beam->b : f->spring[i - f->beams].b;
+    for (int c = 0; c < 6; c++) {
+        to[c] = w->dof[6 * a + c];
+        to[6 + c] = b < 0 ? -1 : w->dof[6 * b + c];
+    }
+    for (int end = 0; end < 2 && beam; end++)
+        for (int j = 0; j < beam->hinge[end].n; j++)
+            to[n++] = w->first[2 * i + end] + j;
+    return n;
+}
+
+static enum status lay_pattern(const struct frame *f, struct frame_work *w)
+{
+    size_t blocks = (size_t)f->beams + (size_t)f->springs, n = 0, at = 0;
+    struct place *place = mem_zeroed(blocks * BLOCK, sizeof *place);
+    int *found;
+    enum status s;
+
+    w->at = mem_zeroed(blocks * BLOCK, sizeof *w->at);
+    if (!place || !w->at) {
+        free(place);
+        return SW_NOMEM;
+    }
+    for (int i = 0; i < (int)blocks; i++) {
+        int to[HINGED_MOST], m = unknowns_of(f, w, i, to);
+
+        for (int c = 0; c < m; c++)
+            for (int r = c; r < m; r++, at++) {
+                w->at[at] = to[c] >= 0 && to[r] >= 0;
+                if (w->at[at])
+                    place[n++] = to[r] >= to[c] ? (struct place){to[r], to[c]}
+                                                : (struct place){to[c], to[r]};
+            }
+    }
+    found = mem_zeroed(n, sizeof *found);
+    s = found ? sparse_new(w->unknowns, place, n, found, &w->K) : SW_NOMEM;
+    n = 0;
+    for (size_t k = 0; k < at && s == SW_OK; k++)
+        w->at[k] = w->at[k] ? found[n++] : -1;
+    free(found);
+    free(place);
+    return s;
+}
+
+/* Nodes in the order given, hinges behind: CHOLMOD finds its own order. */
+static void number(const struct frame *f, struct frame_work *w)
+{
+    for (int i = 0; i < f->n; i++)
+        for (int c = 0; c < 6; c++)
+            w->dof[6 * i + c] = f->node[i].held & 1 << c ? -1 : w->unknowns++;
+    for (int i = 0; i < 2 * f->beams; i++) {
+        w->first[i] = w->unknowns;
+        w->unknowns += f->beam[i / 2].hinge[i % 2].n;
+    }
+}
+
+/* Rounding moves an end by some DBL_EPSILON of the chord, and turns it by as many radians. */
+static void find_scales(const struct frame *f, struct frame_work *w)
+{
+    for (int c = 0; c < 3; c++) {
+        double low = INFINITY, high = -INFINITY;
+
+        for (int i = 0; i < f->n; i++) {
+            low = fmin(low, f->node[i].x[c]);
+            high = fmax(high, f->node[i].x[c]);
+        }
+        w->size = hypot(w->size, high - low);
+    }
+    for (int i = 0; i < f->beams; i++) {
+        const struct beam *b = &f->beam[i].beam;
+        double force = 0, moment = 0;
+
+        for (int k = 0; k < 3; k++) {
+            force = fmax(force, b->K[7 * k] * b->bow.Lz);
+            moment = fmax(moment, b->K[7 * (k + 3)]);
+        }
+        w->chord += b->bow.Lz / f->beams;
+        w->floor_force = fmax(w->floor_force, 4 * DBL_EPSILON * force);
+        w->floor_moment = fmax(w->floor_moment, 4 * DBL_EPSILON * (moment + force * b->bow.Lz));
+    }
+}
+
+enum status frame_work_new(const struct frame *f, struct frame_work *ret)
+{
+    size_t n = (size_t)f->n, m = (size_t)f->beams;
+    enum status s = SW_NOMEM;
+
+    *ret = (struct frame_work){.dof = mem_zeroed(6 * n, sizeof *ret->dof),
+                               .first = mem_zeroed(2 * m, sizeof *ret->first),
+                               .load = mem_doubles(6 * n),
+                               .q = mem_doubles(3 * m),
+                               .open = mem_doubles(6 * n),
+                               .end = mem_doubles(12 * m),
+                               .guess = mem_doubles(6 * m)};
+    if (ret->dof && ret->first && ret->load && ret->q && ret->open && ret->end && ret->guess) {
+        number(f, ret);
+        find_scales(f, ret);
+        ret->right = mem_doubles((size_t)ret->unknowns);
+        if (ret->right)
+            s = lay_pattern(f, ret);
+    }
+    if (s != SW_OK)
+        frame_work_free(ret);
+    return s;
+}
+
+void frame_work_free(struct frame_work *w)
+{
+    free(w->dof);
+    free(w->first);
+    sparse_free(&w->K);
+    free(w->at);
+    free(w->load);
+    free(w->q);
+    free(w->open);
+    free(w->right);
+    free(w->end);
+    free(w->guess);
+    *w = (struct frame_work){.dof = NULL};
+}
+
+void frame_set_loads(const struct frame *f, double t, struct frame_work *w)
+{
+    memset(w->load, 0, 6 * (size_t)f->n * sizeof *w->load);
+    memset(w->q, 0, 3 * (size_t)f->beams * sizeof *w->q);
+    for (int k = 0; k < f->loads; k++) {
+        const struct frame_load *l = &f->load[k];
+        double part = frame_factor(f, l->stage, t);
+
+        for (int c = 0; c < (l->node >= 0 ? 6 : 3); c++)
+            *(l->node >= 0 ? &w->load[6 * l->node + c] : &w->q[3 * l->beam + c]) +=
+                part * l->value[c];
+    }
+}
+
+/* A block while it is put together: of a beam, or of a spring. */
+struct block {
+    int i, n;                    /* element; its unknowns */
+    int ends[2], to[HINGED_MOST]; /* nodes, unknowns */
+    double du[HINGED_MOST];      /* moves of them that follow */
+    double force[HINGED_MOST], K[HINGED_MOST * HINGED_MOST];
+};
+
+static void begin_block(const struct frame *f, const struct frame_work *w, int i,
+                        struct frame_moves moves, struct block *b)
+{
+    const struct frame_beam *beam = i < f->beams ? &f->beam[i] : NULL;
+
+    b->i = i;
+    b->ends[0] = beam ? beam->a : f->spring[i - f->beams].a;
+    b->ends[1] = beam ? beam->b : f->spring[i - f->beams].b;
+    b->n = unknowns_of(f, w, i, b->to);
+    for (int c = 0; c < b->n; c++) {
+        int node = c < 12 ? b->ends[c / 6] : -1;
+
+        b->du[c] = node >= 0 && moves.node ? moves.node[6 * node + c % 6] : 0;
+        if (c >= 12 && moves.hinge)
+            b->du[c] = moves.hinge[b->to[c]];
+    }
+}
+
+static void add_block(const struct block *b, size_t *at, struct frame_work *w)
+{
+    for (int r = 0; r < b->n; r++) {
+        double x = b->force[r];
+
+        for (int c = 0; c < b->n; c++)
+            x += b->K[r + b->n * c] * b->du[c];
+        if (r < 12 && b->ends[r / 6] >= 0)
+            w->open[6 * b->ends[r / 6] + r % 6] += x;
+        else if (r >= 12)
+            w->right[b->to[r]] -= x;
+    }
+    for (int c = 0; c < b->n; c++)
+        for (int r = c; r < b->n; r++, (*at)++)
+            if (w->at[*at] >= 0)
+                w->K.value[w->at[*at]] += b->K[r + b->n * c];
+}
+
+static void measure(const double force[12], struct frame_work *w)
+{
+    for (int i = 0; i < 12; i++)
+        if (i % 6 < 3)
+            w->force = fmax(w->force, fabs(force[i]));
+        else
+            w->moment = fmax(w->moment, fabs(force[i]));
+}
+
+/* The end forces, with those that moves bring. */
+static void keep_ends(const struct frame_beam *beam, const struct block *b, double axis[2][3][3],
+                      const double force[12], const double K[144], double *ret)
+{
+    double moved[12];
+
+    hinge_ends(beam->hinge, axis, b->du, moved);
+    for (int r = 0; r < 12; r++) {
+        ret[r] = force[r];
+        for (int c = 0; c < 12; c++)
+            ret[r] += K[r + 12 * c] * moved[c];
+    }
+}
+
+/* A beam as it is. */
+struct posed {
+    struct corotate e;
+    double d[3], q1[4], q2[4], axis[2][3][3];
+    const double *q; /* NULL: no load */
+};
+
+static void pose(const struct frame *f, const struct frame_state *s, const struct frame_work *w,
+                 int i, struct posed *p)
+{
+    const struct frame_beam *beam = &f->beam[i];
+    const int a = 3 * beam->a, b = 3 * beam->b;
+
+    p->e = corotate_beam(&beam->beam);
+    for (int c = 0; c < 3; c++)
+        p->d[c] = s->x[a + c] - s->x[b + c] + (s->low[a + c] - s->low[b + c]);
+    hinge_end(&beam->hinge[0], &s->hinge[2 * i], s->q + 4 * beam->a, p->q1, p->axis[0]);
+    hinge_end(&beam->hinge[1], &s->hinge[2 * i + 1], s->q + 4 * beam->b, p->q2, p->axis[1]);
+    p->q = w->q + 3 * i;
+    if (p->q[0] == 0 && p->q[1] == 0 && p->q[2] == 0)
+        p->q = NULL;
+}
+
+static void evaluate_beam(const struct frame *f, const struct frame_state *s, int i,
+                          struct frame_moves moves, size_t *at, struct frame_work *w)
+{
+    const struct frame_beam *beam = &f->beam[i];
+    struct posed p;
+    struct corotated here;
+    struct block b;
+    double K[144];
+
+    begin_block(f, w, i, moves, &b);
+    pose(f, s, w, i, &p);
+    corotate(&p.e, p.d, p.q1, p.q2, p.q, w->guessed ? w->guess + 6 * i : NULL, &here,
+             b.n > 12 ? K : b.K);
+    measure(here.force, w);
+    w->angle = fmax(w->angle, here.angle);
+    w->energy += here.energy;
+    if (p.q)
+        w->energy -= p.e.length * vec3_dot(p.q, s->x + 3 * beam->b);
+    if (b.n > 12)
+        hinge_expand(beam->hinge, p.axis, here.force, K, b.force, b.K);
+    else
+        memcpy(b.force, here.force, sizeof here.force);
+    memcpy(w->end + 12 * i, here.force, sizeof here.force);
+    if (moves.node)
+        keep_ends(beam, &b, p.axis, here.force, b.n > 12 ? K : b.K, w->end + 12 * i);
+    add_block(&b, at, w);
+}
+
+void frame_foresee(const struct frame *f, const struct frame_state *s, struct frame_moves moves,
+                   struct frame_work *w)
+{
+    for (int i = 0; i < f->beams; i++) {
+        struct posed p;
+        struct block b;
+        double du[12];
+
+        begin_block(f, w, i, moves, &b);
+        pose(f, s, w, i, &p);
+        hinge_ends(f->beam[i].hinge, p.axis, b.du, du);
+        corotate_foresee(&p.e, p.d, p.q1, p.q2, p.q, du, w->guess + 6 * i);
+    }
+    w->guessed = 1;
+}
+
+/* A spring is an element without a shape of its own; one to the ground keeps its axes. */
+static void evaluate_spring(const struct frame *f, const struct frame_state *s, int i,
+                            struct frame_moves moves, size_t *at, struct frame_work *w)
+{
+    static const double axes[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, none[4] = QUAT_ONE;
+    const struct frame_spring *p = &f->spring[i];
+    double K6[36] = {0}, d[3] = {0};
+    struct corotate e = {.B = axes, .K = K6};
+    struct corotated here;
+    struct block b;
+
+    begin_block(f, w, f->beams + i, moves, &b);
+    for (int c = 0; c < 6; c++)
+        K6[7 * c] = c < 3 && p->b < 0 ? 0 : p->k[c];
+    for (int c = 0; c < 3 && p->b >= 0; c++) {
+        e.D[c] = f->node[p->a].x[c] - f->node[p->b].x[c];
+        d[c] = s->x[3 * p->a + c] - s->x[3 * p->b + c] +
+               (s->low[3 * p->a + c] - s->low[3 * p->b + c]);
+    }
+    corotate(&e, d, s->q + 4 * p->a, p->b < 0 ? none : s->q + 4 * p->b, NULL, NULL, &here,
+             b.K);
+    for (int c = 0; c < 3 && p->b < 0; c++) {
+        double u = s->x[3 * p->a + c] - f->node[p->a].x[c] + s->low[3 * p->a + c];
+
+        here.force[c] += p->k[c] * u;
+        here.energy += p->k[c] * u * u / 2;
+        b.K[13 * c] += p->k[c];
+    }
+    measure(here.force, w);
+    w->energy += here.energy;
+    memcpy(b.force, here.force, sizeof here.force);
+    add_block(&b, at, w);
+}
+
+void frame_evaluate(const struct frame *f, const struct frame_state *s, struct frame_moves moves,
+                    struct frame_work *w)
+{
+    size_t at = 0;
+
+    memset(w->K.value, 0, w->K.entries * sizeof *w->K.value);
+    memset(w->right, 0, (size_t)w->unknowns * sizeof *w->right);
+    w->force = w->moment = w->angle = w->energy = 0;
+    for (int i = 0; i < 6 * f->n; i++) {
+        double size = fabs(w->load[i]);
+
+        w->open[i] = -w->load[i];
+        *(i % 6 < 3 ? &w->force : &w->moment) = fmax(i % 6 < 3 ? w->force : w->moment, size);
+    }
+    for (int i = 0; i < f->beams; i++)
+        evaluate_beam(f, s, i, moves, &at, w);
+    for (int i = 0; i < f->springs; i++)
+        evaluate_spring(f, s, i, moves, &at, w);
+    for (int i = 0; i < 6 * f->n; i++)
+        if (w->dof[i] >= 0)
+            w->right[w->dof[i]] = -w->open[i];
+}
+
+double frame_residual(const struct frame *f, const struct frame_work *w, double tolerance)
+{
+    double most = 0, force = fmax(w->force, w->moment / w->size);
+    double moment = fmax(w->moment, w->force * w->chord);
+
+    force = fmax(fmax(force, w->floor_force / tolerance), 1e-300);
+    moment = fmax(fmax(moment, w->floor_moment / tolerance), 1e-300);
+    for (int i = 0; i < 6 * f->n; i++)
+        if (w->dof[i] >= 0 && !(fabs(w->open[i]) / (i % 6 < 3 ? force : moment) <= most))
+            most = fabs(w->open[i]) / (i % 6 < 3 ? force : moment);
+    for (int i = 0; i < 2 * f->beams; i++)
+        for (int j = 0; j < f->beam[i / 2].hinge[i % 2].n; j++)
+            if (!(fabs(w->right[w->first[i] + j]) / moment <= most))
+                most = fabs(w->right[w->first[i] + j]) / moment;
+    return most;
+}
+
+enum status frame_factorize(struct frame_work *w)
+{
+    return sparse_factor_signed(&w->K, &w->negative);
+}
+
+int frame_node_of(const struct frame *f, const struct frame_work *w, int unknown)
+{
+    for (int i = 0; i < 6 * f->n; i++)
+        if (w->dof[i] == unknown)
+            return i / 6;
+    return -1;
+}
