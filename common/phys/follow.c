@@ -3,6 +3,7 @@
 #include "num/mem.h"
 #include "num/pi.h"
 #include "num/vec3.h"
+#include "phys/twist.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +20,7 @@ struct walk {
     const struct frame *f;
     const struct follow_options *o;
     struct frame_state *s, before;
+    struct twist twist;
     struct frame_work *w;
     struct follow_path *path;
     double *move;  /* (n, 6) */
@@ -39,6 +41,7 @@ void follow_path_free(struct follow_path *p)
 static void walk_free(struct walk *k)
 {
     frame_state_free(&k->before);
+    twist_free(&k->twist);
     free(k->move);
     free(k->all);
     free(k->dx);
@@ -82,6 +85,9 @@ static enum status factor(struct walk *k)
 {
     enum status s = frame_factorize(k->w);
 
+    twist_free(&k->twist);
+    if (s == SW_OK)
+        s = twist_new(k->f, k->w, &k->twist);
     k->factored = s == SW_OK;
     if (s == SW_INDEFINITE)
         k->path->failed_node = frame_node_of(k->f, k->w, k->w->K.failed);
@@ -116,7 +122,7 @@ static enum status newton_step(struct walk *k, const double *move)
     double spin;
 
     memcpy(k->dx, w->right, (size_t)w->unknowns * sizeof *k->dx);
-    s = sparse_solve(&w->K, 1, k->dx);
+    s = twist_solve(&k->twist, w, k->dx);
     if (s != SW_OK)
         return s;
     spin = largest_spin(k, k->dx, move);
@@ -303,8 +309,8 @@ static enum status two_directions(struct walk *k)
         k->rate[i] -= k->dx[i];
     s = factor(k);
     if (s == SW_OK)
-        s = sparse_solve(&w->K, 1, k->dx);
-    return s == SW_OK ? sparse_solve(&w->K, 1, k->rate) : s;
+        s = twist_solve(&k->twist, w, k->dx);
+    return s == SW_OK ? twist_solve(&k->twist, w, k->rate) : s;
 }
 
 /* dx + dt rate, and what is held from t to t + dt. */
