@@ -108,6 +108,13 @@ static void find_scales(const struct frame *f, struct frame_work *w)
         w->floor_force = fmax(w->floor_force, 4 * DBL_EPSILON * force);
         w->floor_moment = fmax(w->floor_moment, 4 * DBL_EPSILON * (moment + force * b->bow.Lz));
     }
+    for (int i = 0; i < f->springs; i++) {
+        const struct frame_spring *p = &f->spring[i];
+        double force = fmax(fmax(p->k[0], p->k[1]), p->k[2]) * w->chord;
+
+        w->floor_force = fmax(w->floor_force, 4 * DBL_EPSILON * force);
+        w->floor_moment = fmax(w->floor_moment, 4 * DBL_EPSILON * force * w->chord);
+    }
 }
 
 enum status frame_work_new(const struct frame *f, struct frame_work *ret)
@@ -297,34 +304,54 @@ void frame_foresee(const struct frame *f, const struct frame_state *s, struct fr
     w->guessed = 1;
 }
 
+/* Translations of a spring to the ground. */
+static void pull_to_ground(const struct frame *f, const struct frame_state *s,
+                           const struct frame_spring *p, struct corotated *here, double *K)
+{
+    double u[3];
+
+    for (int c = 0; c < 3; c++)
+        u[c] = s->x[3 * p->a + c] - f->node[p->a].x[c] + s->low[3 * p->a + c];
+    for (int k = 0; k < 3; k++) {
+        const double *axis = p->B + 3 * k;
+        double moved = vec3_dot(axis, u);
+
+        here->energy += p->k[k] * moved * moved / 2;
+        for (int i = 0; i < 3; i++) {
+            here->force[i] += p->k[k] * moved * axis[i];
+            for (int j = 0; j < 3; j++)
+                K[i + 12 * j] += p->k[k] * axis[i] * axis[j];
+        }
+    }
+}
+
 /* A spring is an element without a shape of its own; one to the ground keeps its axes. */
 static void evaluate_spring(const struct frame *f, const struct frame_state *s, int i,
                             struct frame_moves moves, size_t *at, struct frame_work *w)
 {
-    static const double axes[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, none[4] = QUAT_ONE;
+    static const double none[4] = QUAT_ONE;
     const struct frame_spring *p = &f->spring[i];
     double K6[36] = {0}, d[3] = {0};
-    struct corotate e = {.B = axes, .K = K6};
+    struct corotate e = {.B = p->B, .K = K6};
     struct corotated here;
     struct block b;
 
     begin_block(f, w, f->beams + i, moves, &b);
     for (int c = 0; c < 6; c++)
         K6[7 * c] = c < 3 && p->b < 0 ? 0 : p->k[c];
-    for (int c = 0; c < 3 && p->b >= 0; c++) {
-        e.D[c] = f->node[p->a].x[c] - f->node[p->b].x[c];
-        d[c] = s->x[3 * p->a + c] - s->x[3 * p->b + c] +
-               (s->low[3 * p->a + c] - s->low[3 * p->b + c]);
-    }
-    corotate(&e, d, s->q + 4 * p->a, p->b < 0 ? none : s->q + 4 * p->b, NULL, NULL, &here,
-             b.K);
-    for (int c = 0; c < 3 && p->b < 0; c++) {
-        double u = s->x[3 * p->a + c] - f->node[p->a].x[c] + s->low[3 * p->a + c];
+    if (p->b >= 0) {
+        double D[3];
 
-        here.force[c] += p->k[c] * u;
-        here.energy += p->k[c] * u * u / 2;
-        b.K[13 * c] += p->k[c];
+        for (int c = 0; c < 3; c++) {
+            D[c] = f->node[p->a].x[c] - f->node[p->b].x[c];
+            d[c] = s->x[3 * p->a + c] - s->x[3 * p->b + c] +
+                   (s->low[3 * p->a + c] - s->low[3 * p->b + c]);
+        }
+        mat3_apply(p->B, D, e.D);
     }
+    corotate(&e, d, s->q + 4 * p->a, p->b < 0 ? none : s->q + 4 * p->b, NULL, NULL, &here, b.K);
+    if (p->b < 0)
+        pull_to_ground(f, s, p, &here, b.K);
     measure(here.force, w);
     w->energy += here.energy;
     memcpy(b.force, here.force, sizeof here.force);

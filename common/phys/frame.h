@@ -30,8 +30,9 @@ struct frame_beam {
 };
 
 struct frame_spring {
-    int a, b;       /* nodes; b = -1: the ground, translations then along fixed axes */
-    double k[6];    /* [N/m], [N m/rad] along and about global axes, which turn with both nodes */
+    int a, b;    /* nodes; b = -1: the ground */
+    double B[9]; /* natural axes by rows; they turn with both nodes, those of the ground do not */
+    double k[6]; /* along and about them [N/m], [N m/rad] */
 };
 
 struct frame_load {

@@ -1,8 +1,8 @@
 /*
  * What the tests of wires share: chains of curved elements along a given curve, and their solution.
  */
-#ifndef SEILWERK_TESTS_WIRE_H
-#define SEILWERK_TESTS_WIRE_H
+#ifndef SEILWERK_TESTS_ROD_H
+#define SEILWERK_TESTS_ROD_H
 
 #include "check.h"
 
@@ -13,9 +13,9 @@
 #include <string.h>
 
 /* A curve from u = 0 to 1: its point and its section frame (rows x, y, tangent). */
-typedef void (*wire_curve)(double u, double x[3], double A[9]);
+typedef void (*rod_curve)(double u, double x[3], double A[9]);
 
-struct wire {
+struct rod {
     struct frame f;
     struct frame_state s;
     struct frame_work w;
@@ -24,7 +24,7 @@ struct wire {
 };
 
 /* EA, EIx, EIy, GIt; mass per length 1. */
-static inline struct section wire_section(double EA, double EIx, double EIy, double GIt)
+static inline struct section rod_section(double EA, double EIx, double EIy, double GIt)
 {
     struct section s = {.shape = SECTION_VALUES,
                         .E = 1,
@@ -40,9 +40,9 @@ static inline struct section wire_section(double EA, double EIx, double EIy, dou
 }
 
 /* n elements, node 0 clamped, one stage, room for 16 loads. */
-static inline void wire_new(struct wire *p, int n, struct section section, wire_curve curve)
+static inline void rod_new(struct rod *p, int n, struct section section, rod_curve curve)
 {
-    *p = (struct wire){.section = section};
+    *p = (struct rod){.section = section};
     p->f = (struct frame){.n = n + 1,
                           .beams = n,
                           .stages = 1,
@@ -68,7 +68,7 @@ static inline void wire_new(struct wire *p, int n, struct section section, wire_
     }
 }
 
-static inline void wire_load(struct wire *p, int node, int stage, const double value[6])
+static inline void rod_load(struct rod *p, int node, int stage, const double value[6])
 {
     struct frame_load *l = &p->f.load[p->f.loads++];
 
@@ -79,14 +79,14 @@ static inline void wire_load(struct wire *p, int node, int stage, const double v
 }
 
 /* Prescribed displacement of one direction of a node. */
-static inline void wire_hold(struct wire *p, int node, int direction, int stage, double value)
+static inline void rod_hold(struct rod *p, int node, int direction, int stage, double value)
 {
     p->f.node[node].held |= 1 << direction;
     p->f.node[node].given[direction] = value;
     p->f.node[node].stage[direction] = stage;
 }
 
-static inline struct follow_options wire_options(int parts)
+static inline struct follow_options rod_options(int parts)
 {
     return (struct follow_options){.tolerance = 1e-10,
                                    .parts = parts,
@@ -95,41 +95,41 @@ static inline struct follow_options wire_options(int parts)
                                    .watch = -1};
 }
 
-static inline void wire_begin(struct wire *p)
+static inline void rod_begin(struct rod *p)
 {
     assert_int_equal(frame_state_new(&p->f, &p->s), SW_OK);
     assert_int_equal(frame_work_new(&p->f, &p->w), SW_OK);
 }
 
-static inline enum status wire_follow(struct wire *p, const struct follow_options *o)
+static inline enum status rod_follow(struct rod *p, const struct follow_options *o)
 {
-    wire_begin(p);
+    rod_begin(p);
     return follow(&p->f, o, &p->s, &p->w, &p->path);
 }
 
-static inline void wire_solve(struct wire *p, int parts)
+static inline void rod_solve(struct rod *p, int parts)
 {
-    struct follow_options o = wire_options(parts);
+    struct follow_options o = rod_options(parts);
 
-    assert_int_equal(wire_follow(p, &o), SW_OK);
+    assert_int_equal(rod_follow(p, &o), SW_OK);
 }
 
-static inline void wire_linear(struct wire *p)
+static inline void rod_linear(struct rod *p)
 {
     int failed;
 
-    wire_begin(p);
+    rod_begin(p);
     assert_int_equal(follow_linear(&p->f, &p->s, &p->w, &failed), SW_OK);
 }
 
 /* Displacement c of a node. */
-static inline double wire_moved(const struct wire *p, int node, int c)
+static inline double rod_moved(const struct rod *p, int node, int c)
 {
     return c < 3 ? p->s.x[3 * node + c] - p->f.node[node].x[c] + p->s.low[3 * node + c]
                  : p->s.turn[3 * node + c - 3];
 }
 
-static inline void wire_free(struct wire *p)
+static inline void rod_free(struct rod *p)
 {
     follow_path_free(&p->path);
     frame_work_free(&p->w);

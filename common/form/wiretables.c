@@ -1,0 +1,425 @@
+/* Rows of the tables of wirebeam. */
+#include "form/wiretables.h"
+#include "num/mem.h"
+#include "num/vec3.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const struct sheet_column wire_node_column[N_NODE] = {
+    {"node", 1}, {"x_m", 1}, {"y_m", 1}, {"z_m", 1}};
+
+const struct sheet_column wire_element_column[N_ELEMENT] = {
+    {"element", 1}, {"node_a", 1},    {"node_b", 1},    {"section", 1},     {"tax", 0},
+    {"tay", 0},     {"taz", 0},       {"tbx", 0},       {"tby", 0},         {"tbz", 0},
+    {"xax", 0},     {"xay", 0},       {"xaz", 0},       {"xbx", 0},         {"xby", 0},
+    {"xbz", 0},     {"psi_a_deg", 0}, {"psi_b_deg", 0}, {"psi_mid_deg", 0}, {"hinge_a", 0},
+    {"hinge_b", 0}};
+
+enum {
+    SHAPE = SECTION + 1,
+    YOUNG,
+    SHEAR,
+    DENSITY,
+    MASS,
+    INERTIA,
+    DIAMETER,
+    WALL,
+    WIDTH,
+    HEIGHT,
+    AREA,
+    IXX,
+    IYY,
+    IT,
+    EX,
+    EY,
+    WT,
+    STIFF
+};
+const struct sheet_column wire_section_column[N_SECTION] = {
+    {"section", 1},   {"shape", 0},        {"E_Pa", 0},      {"G_Pa", 0},
+    {"density_kg_m3", 0}, {"mass_kg_m", 0}, {"inertia_kg_m", 0}, {"diameter_m", 0},
+    {"wall_m", 0},    {"width_m", 0},      {"height_m", 0},  {"area_m2", 0},
+    {"Ixx_m4", 0},    {"Iyy_m4", 0},       {"It_m4", 0},     {"ex_m", 0},
+    {"ey_m", 0},      {"Wt_m3", 0},        {"k_nn_N", 0},    {"k_nx_Nm", 0},
+    {"k_ny_Nm", 0},   {"k_nt_Nm", 0},      {"k_xx_Nm2", 0},  {"k_xy_Nm2", 0},
+    {"k_xt_Nm2", 0},  {"k_yy_Nm2", 0},     {"k_yt_Nm2", 0},  {"k_tt_Nm2", 0},
+    {"remark", 0}};
+
+const struct sheet_column wire_support_column[N_SUPPORT] = {
+    {"node", 1}, {"ux", 0}, {"uy", 0}, {"uz", 0}, {"rx", 0}, {"ry", 0}, {"rz", 0}, {"stage", 0}};
+
+const struct sheet_column wire_load_column[N_LOAD] = {
+    {"node", 0},    {"fx_N", 0},   {"fy_N", 0},   {"fz_N", 0},   {"mx_Nm", 0}, {"my_Nm", 0},
+    {"mz_Nm", 0},   {"element", 0}, {"qx_N_m", 0}, {"qy_N_m", 0}, {"qz_N_m", 0}, {"stage", 0}};
+
+const struct sheet_column wire_spring_column[N_SPRING] = {
+    {"spring", 1}, {"node_a", 1}, {"node_b", 0},  {"kx_N_m", 0}, {"ky_N_m", 0},
+    {"kz_N_m", 0}, {"krx_Nm", 0}, {"kry_Nm", 0}, {"krz_Nm", 0},
+    {"xx", 0}, {"xy", 0}, {"xz", 0}};
+
+enum status wire_find(const struct sheet *from, int row, int column, const char *kind,
+                      const struct sheet *in, const struct sheet_index *index, int *ret,
+                      struct why *why)
+{
+    *ret = sheet_find(in, 0, index, sheet_text(from, row, column));
+    return *ret >= 0 ? SW_OK
+                     : sheet_fail(why, from, row, "there is no %s '%.60s'", kind,
+                                  sheet_text(from, row, column));
+}
+
+enum status wire_direction(const struct sheet *t, int row, int column, double ret[3],
+                           int *ret_given, struct why *why)
+{
+    int given = 0;
+    enum status s = SW_OK;
+
+    for (int c = 0; c < 3; c++)
+        given += sheet_text(t, row, column + c)[0] != '\0';
+    *ret_given = given == 3;
+    if (given == 0)
+        return SW_OK;
+    if (given < 3)
+        return sheet_fail(why, t, row, "a direction needs all of its three numbers");
+    for (int c = 0; c < 3 && s == SW_OK; c++)
+        s = sheet_number(t, row, column + c, -1e6, 1e6, NAN, &ret[c], why);
+    if (s == SW_OK && !(vec3_length(ret) > 1e-6))
+        s = sheet_fail(why, t, row, "a direction is zero");
+    if (s == SW_OK)
+        vec3_scale(1 / vec3_length(ret), ret);
+    return s;
+}
+
+static const char *const shape_word[] = {"round", "tube", "rectangle", "values", "general"};
+
+static enum status take_shape(const struct sheet *t, int row, struct section *to, struct why *why)
+{
+    const char *text = sheet_text(t, row, SHAPE);
+
+    to->shape = SECTION_VALUES;
+    if (text[0] == '\0')
+        return SW_OK;
+    for (int k = SECTION_ROUND; k <= SECTION_GENERAL; k++)
+        if (strcmp(text, shape_word[k]) == 0) {
+            to->shape = (enum section_shape)k;
+            return SW_OK;
+        }
+    return sheet_fail(why, t, row, "shape '%.60s' is none of round, tube, rectangle, values, general",
+                      text);
+}
+
+/* Whether a shape knows a column of the table. */
+static int belongs(enum section_shape shape, int column)
+{
+    switch (column) {
+    case DIAMETER: return shape == SECTION_ROUND || shape == SECTION_TUBE;
+    case WALL: return shape == SECTION_TUBE;
+    case WIDTH:
+    case HEIGHT: return shape == SECTION_RECTANGLE;
+    case AREA:
+    case IXX:
+    case IYY:
+    case EX:
+    case EY:
+    case WT: return shape == SECTION_VALUES || shape == SECTION_GENERAL;
+    case IT: return shape == SECTION_VALUES;
+    case YOUNG:
+    case SHEAR: return shape != SECTION_GENERAL;
+    default: return column < STIFF || shape == SECTION_GENERAL;
+    }
+}
+
+/* Numbers of a row: needed ones, others NAN. */
+static enum status take_measures(const struct sheet *t, int row, struct section *s, double *density,
+                                 struct why *why)
+{
+    const struct {
+        int column, needed;
+        double *to;
+    } number[] = {{YOUNG, 1, &s->E},        {SHEAR, 1, &s->G},     {DENSITY, 0, density},
+                  {MASS, 0, &s->mass},      {INERTIA, 0, &s->inertia[2]},
+                  {DIAMETER, 1, &s->diameter}, {WALL, 1, &s->wall},   {WIDTH, 1, &s->width},
+                  {HEIGHT, 1, &s->height},  {AREA, s->shape == SECTION_VALUES, &s->area},
+                  {IXX, s->shape == SECTION_VALUES, &s->Ixx},
+                  {IYY, s->shape == SECTION_VALUES, &s->Iyy},
+                  {IT, 1, &s->It},          {EX, 0, &s->ex},       {EY, 0, &s->ey},
+                  {WT, 0, &s->Wt}};
+    enum status status = SW_OK;
+
+    for (size_t k = 0; k < sizeof number / sizeof *number && status == SW_OK; k++) {
+        int column = number[k].column;
+
+        *number[k].to = NAN;
+        if (!belongs(s->shape, column)) {
+            if (sheet_text(t, row, column)[0] != '\0')
+                return sheet_fail(why, t, row, "%s does not belong to the shape %s",
+                                  wire_section_column[column].name, shape_word[s->shape]);
+            continue;
+        }
+        if (number[k].needed && t->at[column] < 0)
+            return sheet_fail(why, t, row, "the shape %s needs the column %s",
+                              shape_word[s->shape], wire_section_column[column].name);
+        if (!number[k].needed && sheet_text(t, row, column)[0] == '\0')
+            continue;
+        status = sheet_number(t, row, column, column <= INERTIA && column > SHEAR ? 0 : 1e-300,
+                              WIRE_BIG, NAN, number[k].to, why);
+    }
+    return status;
+}
+
+/* The stiffness of a general section, upper triangle by rows. */
+static enum status take_stiffness(const struct sheet *t, int row, struct section *s,
+                                  struct why *why)
+{
+    enum status status = SW_OK;
+
+    for (int i = 0, at = STIFF; i < 4; i++)
+        for (int j = i; j < 4 && status == SW_OK; j++, at++) {
+            if (i == j && t->at[at] < 0)
+                return sheet_fail(why, t, row, "the shape general needs the column %s",
+                                  wire_section_column[at].name);
+            status = sheet_number(t, row, at, i == j ? 1e-300 : -WIRE_BIG, WIRE_BIG,
+                                  i == j ? NAN : 0, &s->stiffness[i + 4 * j], why);
+            s->stiffness[j + 4 * i] = s->stiffness[i + 4 * j];
+        }
+    return status;
+}
+
+static enum status take_section(const struct sheet *t, int row, struct section *s, struct why *why)
+{
+    double density = 0, mass, inertia;
+    enum status status = take_shape(t, row, s, why);
+
+    if (status == SW_OK)
+        status = take_measures(t, row, s, &density, why);
+    if (status == SW_OK && s->shape == SECTION_GENERAL)
+        status = take_stiffness(t, row, s, why);
+    for (int at = STIFF; at < N_SECTION - 1 && status == SW_OK; at++)
+        if (s->shape != SECTION_GENERAL && sheet_text(t, row, at)[0] != '\0')
+            return sheet_fail(why, t, row, "%s belongs to the shape general",
+                              wire_section_column[at].name);
+    if (status != SW_OK)
+        return status;
+    if (s->shape == SECTION_TUBE && !(s->wall <= s->diameter / 2))
+        return sheet_fail(why, t, row, "the wall is thicker than half the diameter");
+    if (!isnan(s->mass) && !isnan(density))
+        return sheet_fail(why, t, row, "give either density_kg_m3 or mass_kg_m");
+    mass = s->mass;
+    inertia = s->inertia[2];
+    s->mass = isnan(mass) ? 0 : mass;
+    s->inertia[2] = 0;
+    if (section_complete(s, isnan(density) ? 0 : density) != SW_OK)
+        return sheet_fail(why, t, row, "the stiffness is not positive definite");
+    if (!isnan(mass) && s->shape != SECTION_GENERAL) /* spread over the area */
+        section_complete(s, mass / s->area);
+    if (!isnan(inertia)) {
+        s->inertia[2] = inertia;
+        s->inertia[0] = s->inertia[1] = inertia / 2;
+    }
+    return SW_OK;
+}
+
+enum status wire_take_sections(struct wire *p, struct why *why)
+{
+    enum status s = SW_OK;
+
+    p->section = mem_zeroed((size_t)p->sections.n, sizeof *p->section);
+    if (!p->section)
+        return fail_plain(why, SW_NOMEM);
+    for (int i = 0; i < p->sections.n && s == SW_OK; i++)
+        s = take_section(&p->sections, i, &p->section[i], why);
+    return s;
+}
+
+/* A stage, 1 where the cell is empty; the frame has as many as the last one. */
+static enum status take_stage(struct wire *p, const struct sheet *t, int row, int column, int *ret,
+                              struct why *why)
+{
+    double stage;
+    enum status s = sheet_number(t, row, column, 1, 1000, 1, &stage, why);
+
+    if (s == SW_OK && stage != floor(stage))
+        s = sheet_fail(why, t, row, "stage must be a whole number");
+    *ret = s == SW_OK ? (int)stage : 1;
+    if (*ret > p->frame.stages)
+        p->frame.stages = *ret;
+    return s;
+}
+
+/* Rows of one node hold what their cells say; no direction twice. */
+static enum status take_support(struct wire *p, int row, const struct sheet_index *nodes,
+                                struct why *why)
+{
+    const struct sheet *t = &p->supports;
+    struct frame_node *to;
+    int node, stage;
+    enum status s = wire_find(t, row, HELD, "node", &p->nodes, nodes, &node, why);
+
+    if (s == SW_OK)
+        s = take_stage(p, t, row, HELD_STAGE, &stage, why);
+    for (int c = 0; c < 6 && s == SW_OK; c++) {
+        if (sheet_text(t, row, HELD_U + c)[0] == '\0')
+            continue;
+        to = &p->frame.node[node];
+        if (to->held & 1 << c)
+            return sheet_fail(why, t, row, "%s of node '%.60s' is held already",
+                              wire_support_column[HELD_U + c].name, wire_node(p, node));
+        s = sheet_number(t, row, HELD_U + c, -1e6, 1e6, NAN, &to->given[c], why);
+        to->held |= 1 << c;
+        to->stage[c] = stage;
+        p->moved |= to->given[c] != 0;
+    }
+    return s;
+}
+
+enum status wire_take_supports(struct wire *p, const struct sheet_index *nodes, struct why *why)
+{
+    enum status s = SW_OK;
+
+    for (int i = 0; i < p->supports.n && s == SW_OK; i++)
+        s = take_support(p, i, nodes, why);
+    return s;
+}
+
+/* Axes: global ones, or x as given, then y level, z. */
+static enum status take_axes(const struct sheet *t, int row, double B[9], struct why *why)
+{
+    double x[3] = {1, 0, 0}, chord[9];
+    int given;
+    enum status s = wire_direction(t, row, SPRING_AXIS, x, &given, why);
+
+    memset(B, 0, 9 * sizeof *B);
+    B[0] = B[4] = B[8] = 1;
+    if (s != SW_OK || !given)
+        return s;
+    bow_axes(x, chord); /* third row: x */
+    memcpy(B, chord + 6, 3 * sizeof *B);
+    memcpy(B + 3, chord, 6 * sizeof *B);
+    return SW_OK;
+}
+
+static enum status take_spring(struct wire *p, int row, const struct sheet_index *nodes,
+                               struct frame_spring *to, struct why *why)
+{
+    const struct sheet *t = &p->springs;
+    enum status s = wire_find(t, row, SPRING_A, "node", &p->nodes, nodes, &to->a, why);
+
+    to->b = -1;
+    if (s == SW_OK && sheet_text(t, row, SPRING_B)[0] != '\0')
+        s = wire_find(t, row, SPRING_B, "node", &p->nodes, nodes, &to->b, why);
+    if (s == SW_OK && to->a == to->b)
+        s = sheet_fail(why, t, row, "both ends are node '%.60s'", wire_node(p, to->a));
+    for (int c = 0; c < 6 && s == SW_OK; c++)
+        s = sheet_number(t, row, SPRING_K + c, 0, WIRE_BIG, 0, &to->k[c], why);
+    return s == SW_OK ? take_axes(t, row, to->B, why) : s;
+}
+
+enum status wire_take_springs(struct wire *p, const struct sheet_index *nodes, struct why *why)
+{
+    struct sheet_index names;
+    enum status s = sheet_sort(&p->springs, SPRING, &names, why);
+
+    free(names.row);
+    p->frame.spring = mem_zeroed((size_t)p->springs.n, sizeof *p->frame.spring);
+    if (s == SW_OK && !p->frame.spring)
+        s = fail_plain(why, SW_NOMEM);
+    for (int i = 0; i < p->springs.n && s == SW_OK; i++)
+        s = take_spring(p, i, nodes, &p->frame.spring[p->frame.springs++], why);
+    return s;
+}
+
+/* The pieces of an element, beams first to end - 1. */
+static void pieces_of(const struct wire *p, int element, int *first, int *end)
+{
+    int low = 0, high = p->frame.beams;
+
+    while (low < high) { /* pieces stand in the order of the elements */
+        int middle = low + (high - low) / 2;
+
+        if (p->piece[middle].element < element)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    *first = low;
+    for (*end = low; *end < p->frame.beams && p->piece[*end].element == element;)
+        ++*end;
+}
+
+static enum status add_load(struct wire *p, const struct frame_load *load, struct why *why)
+{
+    int n = p->frame.loads;
+
+    if ((n & (n - 1)) == 0) { /* full at powers of two */
+        struct frame_load *more = mem_resize(p->frame.load, n > 0 ? 2 * (size_t)n : 1, sizeof *more);
+
+        if (!more)
+            return fail_plain(why, SW_NOMEM);
+        p->frame.load = more;
+    }
+    p->frame.load[p->frame.loads++] = *load;
+    for (int c = 0; c < 6; c++)
+        p->moved |= load->value[c] != 0;
+    return SW_OK;
+}
+
+static enum status add_element_load(struct wire *p, int element, const double q[3], int stage,
+                                    struct why *why)
+{
+    struct frame_load load = {.node = -1, .value = {q[0], q[1], q[2]}, .stage = stage};
+    int end;
+    enum status s = SW_OK;
+
+    for (pieces_of(p, element, &load.beam, &end); load.beam < end && s == SW_OK; load.beam++)
+        s = add_load(p, &load, why);
+    return s;
+}
+
+static enum status take_load(struct wire *p, int row, const struct sheet_index *nodes,
+                             const struct sheet_index *elements, struct why *why)
+{
+    const struct sheet *t = &p->loads;
+    int of_node = sheet_text(t, row, LOAD_NODE)[0] != '\0', at = 0;
+    int first = of_node ? LOAD_F : LOAD_Q, n = of_node ? 6 : 3;
+    int other = of_node ? LOAD_Q : LOAD_F, others = of_node ? 3 : 6;
+    struct frame_load load = {.node = -1, .beam = -1};
+    enum status s;
+
+    if (of_node == (sheet_text(t, row, LOAD_ELEMENT)[0] != '\0'))
+        return sheet_fail(why, t, row, "a load needs either a node or an element");
+    for (int c = 0; c < others; c++)
+        if (sheet_text(t, row, other + c)[0] != '\0')
+            return sheet_fail(why, t, row, "%s does not belong to a load of %s",
+                              wire_load_column[other + c].name, of_node ? "a node" : "an element");
+    s = of_node ? wire_find(t, row, LOAD_NODE, "node", &p->nodes, nodes, &at, why)
+                : wire_find(t, row, LOAD_ELEMENT, "element", &p->elements, elements, &at, why);
+    for (int c = 0; c < n && s == SW_OK; c++)
+        s = sheet_number(t, row, first + c, -WIRE_BIG, WIRE_BIG, 0, &load.value[c], why);
+    if (s == SW_OK)
+        s = take_stage(p, t, row, LOAD_STAGE, &load.stage, why);
+    if (s != SW_OK)
+        return s;
+    load.node = at;
+    return of_node ? add_load(p, &load, why)
+                   : add_element_load(p, at, load.value, load.stage, why);
+}
+
+enum status wire_take_loads(struct wire *p, const struct sheet_index *nodes,
+                            const struct sheet_index *elements, struct why *why)
+{
+    const double *g = p->c.gravity;
+    enum status s = SW_OK;
+
+    for (int i = 0; i < p->loads.n && s == SW_OK; i++)
+        s = take_load(p, i, nodes, elements, why);
+    for (int i = 0; i < p->frame.beams && s == SW_OK; i++) {
+        double mass = p->frame.beam[i].section->mass;
+        const struct frame_load weight = {
+            .node = -1, .beam = i, .value = {mass * g[0], mass * g[1], mass * g[2]}, .stage = 1};
+
+        if (mass > 0 && (g[0] != 0 || g[1] != 0 || g[2] != 0))
+            s = add_load(p, &weight, why);
+    }
+    return s;
+}
