@@ -12,12 +12,14 @@
 #define TURN (0.8 * PI) /* within an element: beyond, the next step may pass half a turn */
 #define SMALLEST 1e-9   /* step of a stage */
 #define GROW 1.6        /* of a step that took few iterations */
+#define MOST 4          /* times the first step */
 #define EASY 6          /* iterations */
 #define FINE 1e-10      /* width of the bracket of a critical time */
 
 /* What one path works on. */
 struct walk {
-    const struct frame *f;
+    const struct frame *f; /* = &own */
+    struct frame own;
     const struct follow_options *o;
     struct frame_state *s, before;
     struct twist twist;
@@ -262,6 +264,7 @@ static enum status by_load(struct walk *k, double end)
             if (s == SW_OK)
                 s = record(k);
             step *= easy ? GROW : k->iterations > 2 * EASY ? 0.7 : 1;
+            step = fmin(step, (double)MOST / k->o->parts);
         }
     }
     return s;
@@ -388,7 +391,7 @@ static enum status by_arc(struct walk *k, double end)
             s = load_step(k, end);
         if (s == SW_OK)
             s = record(k);
-        l = fmin(l * (k->iterations <= EASY ? GROW : 0.7), 4 * first);
+        l = fmin(l * (k->iterations <= EASY ? GROW : 0.7), MOST * first);
     }
     free(direction);
     return s;
@@ -397,7 +400,7 @@ static enum status by_arc(struct walk *k, double end)
 enum status follow(const struct frame *f, const struct follow_options *o, struct frame_state *s,
                    struct frame_work *w, struct follow_path *ret)
 {
-    struct walk k = {.f = f, .o = o, .s = s, .w = w, .path = ret};
+    struct walk k = {.f = &k.own, .own = *f, .o = o, .s = s, .w = w, .path = ret};
     enum status status;
 
     *ret = (struct follow_path){.critical = NAN, .failed_node = -1};
@@ -410,6 +413,7 @@ enum status follow(const struct frame *f, const struct follow_options *o, struct
         status = record(&k);
     if (status == SW_OK)
         status = by_load(&k, o->arc ? f->stages - 1 : f->stages);
+    k.own.arc = o->arc;
     if (status == SW_OK && o->arc && isnan(ret->critical))
         status = by_arc(&k, f->stages);
     walk_free(&k);

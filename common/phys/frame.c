@@ -16,8 +16,8 @@ double frame_factor(const struct frame *f, int stage, double t)
 
     if (stage < 1)
         return 0;
-    if (stage == f->stages) /* load paths may pass zero and the end */
-        return part;
+    if (f->arc)
+        return stage == f->stages ? part : 1;
     return part < 0 ? 0 : part > 1 ? 1 : part;
 }
 

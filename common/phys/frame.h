@@ -3,7 +3,7 @@
  * forces and the stiffness of a deformed state.
  *
  * Loads and prescribed displacements belong to stages 1, 2, ...; at the time t the factor of stage k
- * is t - k + 1, kept within 0 and 1; a time below or beyond the last stage scales that stage alone.
+ * is t - k + 1, kept within 0 and 1.
  */
 #ifndef SEILWERK_PHYS_FRAME_H
 #define SEILWERK_PHYS_FRAME_H
@@ -43,6 +43,7 @@ struct frame_load {
 
 struct frame {
     int n, beams, springs, loads, stages;
+    int arc; /* path by arc length: the factor of the last stage is not kept within, others are 1 */
     struct frame_node *node;
     struct frame_beam *beam;
     struct frame_spring *spring;

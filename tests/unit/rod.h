@@ -39,7 +39,8 @@ static inline struct section rod_section(double EA, double EIx, double EIy, doub
     return s;
 }
 
-/* n elements, node 0 clamped, one stage, room for 16 loads. */
+/* n elements, node 0 clamped, one stage, room for 16 loads.  Ends are seen from within: there may be
+ * corners. */
 static inline void rod_new(struct rod *p, int n, struct section section, rod_curve curve)
 {
     *p = (struct rod){.section = section};
@@ -61,7 +62,7 @@ static inline void rod_new(struct rod *p, int n, struct section section, rod_cur
         b->b = i + 1;
         b->section = &p->section;
         curve(i / (double)n, p->f.node[i].x, b->A[0]);
-        curve((i + 1) / (double)n, p->f.node[i + 1].x, b->A[1]);
+        curve((i + 1) / (double)n * (1 - 1e-15), p->f.node[i + 1].x, b->A[1]);
         below(bow_between(p->f.node[i].x, p->f.node[i + 1].x, b->A[0], b->A[1], 0, 0, &bow),
               PI / 2);
         assert_int_equal(beam_new(&bow, &p->section, &b->beam), SW_OK);
