@@ -175,7 +175,8 @@ static void vibrate_about(void)
         die(SW_NOMEM, "%s", status_text(SW_NOMEM));
     for (int i = 0; i < all.frame.beams; i++)
         if (!(all.frame.beam[i].section->mass > 0))
-            die(SW_ADMISSIBLE, "--modes: the section of element '%s' has no density_kg_m3 or mass_kg_m",
+            die(SW_ADMISSIBLE,
+                "--modes: the section of element '%s' has no density_kg_m3 or mass_kg_m",
                 wire_element(&all, all.piece[i].element));
     s = vibrate(&all.frame, &result.s, &result.w, result.modes, result.lambda, result.shape);
     if (s != SW_OK)

@@ -151,8 +151,8 @@ static enum status take_ends(const struct wire *p, int row, const struct frame_b
     vec3_scale(1 / vec3_length(e), e);
     bow_axes(e, B);
     for (int end = 0; end < 2 && s == SW_OK; end++)
-        s = take_end(t, row, end, B, end == 1 && !isnan(psi[0]) ? psi[0] : 0, &ends[end],
-                     &psi[end], why);
+        s = take_end(t, row, end, B, end == 1 && !isnan(psi[0]) ? psi[0] : 0, &ends[end], &psi[end],
+                     why);
     if (s != SW_OK)
         return s;
     bow_between(ends[0].x, ends[1].x, ends[0].A, ends[1].A, 0, 0, &bow);
@@ -219,8 +219,8 @@ static enum status add_pieces(struct wire *p, int row, const struct frame_beam *
     for (int k = 0; k < n; k++) {
         struct frame_beam *beam = &f->beam[f->beams];
         struct bow bow;
-        double angle = bow_between(at[k].x, at[k + 1].x, at[k].A, at[k + 1].A, at[k].twist,
-                                   at[k].bulge, &bow);
+        double angle =
+            bow_between(at[k].x, at[k + 1].x, at[k].A, at[k + 1].A, at[k].twist, at[k].bulge, &bow);
 
         *beam = (struct frame_beam){.a = whole->a, .b = whole->b, .section = whole->section};
         if (k > 0)

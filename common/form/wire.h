@@ -21,8 +21,8 @@ struct wire_case {
     int method, path; /* enum wire_method, wire_path */
     int steps, most_steps, iterations;
     double tolerance;
-    int critical, divide;  /* no, yes */
-    double largest_angle;  /* [deg] */
+    int critical, divide; /* no, yes */
+    double largest_angle; /* [deg] */
     char watch[KEYS_TEXT_BYTES];
     int points; /* of an element in the table of forces */
 };

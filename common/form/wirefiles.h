@@ -1,5 +1,6 @@
 /*
- * Results of wirebeam: tables of nodes, section forces, history, modes and the summary (wirebeam(1)).
+ * Results of wirebeam: tables of nodes, section forces, history, modes and the summary
+ * (wirebeam(1)).
  */
 #ifndef SEILWERK_FORM_WIREFILES_H
 #define SEILWERK_FORM_WIREFILES_H
@@ -13,8 +14,8 @@ struct wire_result {
     struct frame_work w;
     struct follow_path path; /* of linear theory: empty */
     enum status status;
-    int stresses; /* asked for */
-    int modes;    /* 0: not asked for */
+    int stresses;           /* asked for */
+    int modes;              /* 0: not asked for */
     double *lambda, *shape; /* (modes), (frame.n, 6, modes) */
 };
 

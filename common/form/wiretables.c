@@ -7,8 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct sheet_column wire_node_column[N_NODE] = {
-    {"node", 1}, {"x_m", 1}, {"y_m", 1}, {"z_m", 1}};
+const struct sheet_column wire_node_column[N_NODE] = {{"node", 1},
+                                                      {"x_m", 1},
+                                                      {"y_m", 1},
+                                                      {"z_m", 1}};
 
 const struct sheet_column wire_element_column[N_ELEMENT] = {
     {"element", 1}, {"node_a", 1},    {"node_b", 1},    {"section", 1},     {"tax", 0},
@@ -38,26 +40,25 @@ enum {
     STIFF
 };
 const struct sheet_column wire_section_column[N_SECTION] = {
-    {"section", 1},   {"shape", 0},        {"E_Pa", 0},      {"G_Pa", 0},
-    {"density_kg_m3", 0}, {"mass_kg_m", 0}, {"inertia_kg_m", 0}, {"diameter_m", 0},
-    {"wall_m", 0},    {"width_m", 0},      {"height_m", 0},  {"area_m2", 0},
-    {"Ixx_m4", 0},    {"Iyy_m4", 0},       {"It_m4", 0},     {"ex_m", 0},
-    {"ey_m", 0},      {"Wt_m3", 0},        {"k_nn_N", 0},    {"k_nx_Nm", 0},
-    {"k_ny_Nm", 0},   {"k_nt_Nm", 0},      {"k_xx_Nm2", 0},  {"k_xy_Nm2", 0},
-    {"k_xt_Nm2", 0},  {"k_yy_Nm2", 0},     {"k_yt_Nm2", 0},  {"k_tt_Nm2", 0},
-    {"remark", 0}};
+    {"section", 1},   {"shape", 0},        {"E_Pa", 0},       {"G_Pa", 0},     {"density_kg_m3", 0},
+    {"mass_kg_m", 0}, {"inertia_kg_m", 0}, {"diameter_m", 0}, {"wall_m", 0},   {"width_m", 0},
+    {"height_m", 0},  {"area_m2", 0},      {"Ixx_m4", 0},     {"Iyy_m4", 0},   {"It_m4", 0},
+    {"ex_m", 0},      {"ey_m", 0},         {"Wt_m3", 0},      {"k_nn_N", 0},   {"k_nx_Nm", 0},
+    {"k_ny_Nm", 0},   {"k_nt_Nm", 0},      {"k_xx_Nm2", 0},   {"k_xy_Nm2", 0}, {"k_xt_Nm2", 0},
+    {"k_yy_Nm2", 0},  {"k_yt_Nm2", 0},     {"k_tt_Nm2", 0},   {"remark", 0}};
 
-const struct sheet_column wire_support_column[N_SUPPORT] = {
-    {"node", 1}, {"ux", 0}, {"uy", 0}, {"uz", 0}, {"rx", 0}, {"ry", 0}, {"rz", 0}, {"stage", 0}};
+const struct sheet_column wire_support_column[N_SUPPORT] = {{"node", 1}, {"ux", 0},   {"uy", 0},
+                                                            {"uz", 0},   {"rx", 0},   {"ry", 0},
+                                                            {"rz", 0},   {"stage", 0}};
 
-const struct sheet_column wire_load_column[N_LOAD] = {
-    {"node", 0},    {"fx_N", 0},   {"fy_N", 0},   {"fz_N", 0},   {"mx_Nm", 0}, {"my_Nm", 0},
-    {"mz_Nm", 0},   {"element", 0}, {"qx_N_m", 0}, {"qy_N_m", 0}, {"qz_N_m", 0}, {"stage", 0}};
+const struct sheet_column wire_load_column[N_LOAD] = {{"node", 0},   {"fx_N", 0},    {"fy_N", 0},
+                                                      {"fz_N", 0},   {"mx_Nm", 0},   {"my_Nm", 0},
+                                                      {"mz_Nm", 0},  {"element", 0}, {"qx_N_m", 0},
+                                                      {"qy_N_m", 0}, {"qz_N_m", 0},  {"stage", 0}};
 
 const struct sheet_column wire_spring_column[N_SPRING] = {
-    {"spring", 1}, {"node_a", 1}, {"node_b", 0},  {"kx_N_m", 0}, {"ky_N_m", 0},
-    {"kz_N_m", 0}, {"krx_Nm", 0}, {"kry_Nm", 0}, {"krz_Nm", 0},
-    {"xx", 0}, {"xy", 0}, {"xz", 0}};
+    {"spring", 1}, {"node_a", 1}, {"node_b", 0}, {"kx_N_m", 0}, {"ky_N_m", 0}, {"kz_N_m", 0},
+    {"krx_Nm", 0}, {"kry_Nm", 0}, {"krz_Nm", 0}, {"xx", 0},     {"xy", 0},     {"xz", 0}};
 
 enum status wire_find(const struct sheet *from, int row, int column, const char *kind,
                       const struct sheet *in, const struct sheet_index *index, int *ret,
@@ -105,8 +106,8 @@ static enum status take_shape(const struct sheet *t, int row, struct section *to
             to->shape = (enum section_shape)k;
             return SW_OK;
         }
-    return sheet_fail(why, t, row, "shape '%.60s' is none of round, tube, rectangle, values, general",
-                      text);
+    return sheet_fail(why, t, row,
+                      "shape '%.60s' is none of round, tube, rectangle, values, general", text);
 }
 
 /* Whether a shape knows a column of the table. */
@@ -137,13 +138,21 @@ static enum status take_measures(const struct sheet *t, int row, struct section 
     const struct {
         int column, needed;
         double *to;
-    } number[] = {{YOUNG, 1, &s->E},        {SHEAR, 1, &s->G},     {DENSITY, 0, density},
-                  {MASS, 0, &s->mass},      {INERTIA, 0, &s->inertia[2]},
-                  {DIAMETER, 1, &s->diameter}, {WALL, 1, &s->wall},   {WIDTH, 1, &s->width},
-                  {HEIGHT, 1, &s->height},  {AREA, s->shape == SECTION_VALUES, &s->area},
+    } number[] = {{YOUNG, 1, &s->E},
+                  {SHEAR, 1, &s->G},
+                  {DENSITY, 0, density},
+                  {MASS, 0, &s->mass},
+                  {INERTIA, 0, &s->inertia[2]},
+                  {DIAMETER, 1, &s->diameter},
+                  {WALL, 1, &s->wall},
+                  {WIDTH, 1, &s->width},
+                  {HEIGHT, 1, &s->height},
+                  {AREA, s->shape == SECTION_VALUES, &s->area},
                   {IXX, s->shape == SECTION_VALUES, &s->Ixx},
                   {IYY, s->shape == SECTION_VALUES, &s->Iyy},
-                  {IT, 1, &s->It},          {EX, 0, &s->ex},       {EY, 0, &s->ey},
+                  {IT, 1, &s->It},
+                  {EX, 0, &s->ex},
+                  {EY, 0, &s->ey},
                   {WT, 0, &s->Wt}};
     enum status status = SW_OK;
 
@@ -158,8 +167,8 @@ static enum status take_measures(const struct sheet *t, int row, struct section 
             continue;
         }
         if (number[k].needed && t->at[column] < 0)
-            return sheet_fail(why, t, row, "the shape %s needs the column %s",
-                              shape_word[s->shape], wire_section_column[column].name);
+            return sheet_fail(why, t, row, "the shape %s needs the column %s", shape_word[s->shape],
+                              wire_section_column[column].name);
         if (!number[k].needed && sheet_text(t, row, column)[0] == '\0')
             continue;
         status = sheet_number(t, row, column, column <= INERTIA && column > SHEAR ? 0 : 1e-300,
@@ -352,7 +361,8 @@ static enum status add_load(struct wire *p, const struct frame_load *load, struc
     int n = p->frame.loads;
 
     if ((n & (n - 1)) == 0) { /* full at powers of two */
-        struct frame_load *more = mem_resize(p->frame.load, n > 0 ? 2 * (size_t)n : 1, sizeof *more);
+        struct frame_load *more =
+            mem_resize(p->frame.load, n > 0 ? 2 * (size_t)n : 1, sizeof *more);
 
         if (!more)
             return fail_plain(why, SW_NOMEM);
@@ -401,8 +411,7 @@ static enum status take_load(struct wire *p, int row, const struct sheet_index *
     if (s != SW_OK)
         return s;
     load.node = at;
-    return of_node ? add_load(p, &load, why)
-                   : add_element_load(p, at, load.value, load.stage, why);
+    return of_node ? add_load(p, &load, why) : add_element_load(p, at, load.value, load.stage, why);
 }
 
 enum status wire_take_loads(struct wire *p, const struct sheet_index *nodes,
@@ -415,8 +424,10 @@ enum status wire_take_loads(struct wire *p, const struct sheet_index *nodes,
         s = take_load(p, i, nodes, elements, why);
     for (int i = 0; i < p->frame.beams && s == SW_OK; i++) {
         double mass = p->frame.beam[i].section->mass;
-        const struct frame_load weight = {
-            .node = -1, .beam = i, .value = {mass * g[0], mass * g[1], mass * g[2]}, .stage = 1};
+        const struct frame_load weight = {.node = -1,
+                                          .beam = i,
+                                          .value = {mass * g[0], mass * g[1], mass * g[2]},
+                                          .stage = 1};
 
         if (mass > 0 && (g[0] != 0 || g[1] != 0 || g[2] != 0))
             s = add_load(p, &weight, why);

@@ -27,7 +27,14 @@ enum {
 enum { SECTION, N_SECTION = 29 };
 enum { HELD, HELD_U, HELD_STAGE = HELD_U + 6, N_SUPPORT };
 enum { LOAD_NODE, LOAD_F, LOAD_ELEMENT = LOAD_F + 6, LOAD_Q, LOAD_STAGE = LOAD_Q + 3, N_LOAD };
-enum { SPRING, SPRING_A, SPRING_B, SPRING_K, SPRING_AXIS = SPRING_K + 6, N_SPRING = SPRING_AXIS + 3 };
+enum {
+    SPRING,
+    SPRING_A,
+    SPRING_B,
+    SPRING_K,
+    SPRING_AXIS = SPRING_K + 6,
+    N_SPRING = SPRING_AXIS + 3
+};
 
 extern const struct sheet_column wire_node_column[N_NODE], wire_element_column[N_ELEMENT],
     wire_section_column[N_SECTION], wire_support_column[N_SUPPORT], wire_load_column[N_LOAD],

@@ -12,7 +12,7 @@
 #endif
 #include <suitesparse/cholmod.h>
 
-#define NESTED 20000 /* unknowns */
+#define NESTED 20000   /* unknowns */
 #define ROUNDING 1e-15 /* of a diagonal entry: a pivot that is none */
 
 struct sparse_solver {

@@ -12,8 +12,8 @@
  * (K->entries) at the places of K, positive semidefinite; K need not be definite: negative and zero
  * eigenvalues are found, too.  K's values are kept, its factor is lost.
  *
- * SW_NOCONV: no convergence, or an eigenvalue below the last one was missed; SW_INDEFINITE: M is not
- * semidefinite; SW_NOMEM.
+ * SW_NOCONV: no convergence, or an eigenvalue below the last one was missed; SW_INDEFINITE: M is
+ * not semidefinite; SW_NOMEM.
  */
 enum status subspace_lowest(struct sparse *K, const double *M, int k, double *lambda, double *x);
 

@@ -71,8 +71,7 @@ static inline void mat3_multiply(const double A[9], const double B[9], double C[
 {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            C[3 * i + j] =
-                A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
+            C[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
 }
 
 /* C = A^T B */

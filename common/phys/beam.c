@@ -9,8 +9,9 @@
 
 static const double node[GAUSS] = {0.033765242898423986, 0.16939530676686776, 0.38069040695840156,
                                    0.61930959304159849,  0.83060469323313224, 0.96623475710157603};
-static const double weight[GAUSS] = {0.085662246189585178, 0.18038078652406930, 0.23395696728634552,
-                                     0.23395696728634552,  0.18038078652406930, 0.085662246189585178};
+static const double weight[GAUSS] = {0.085662246189585178, 0.18038078652406930,
+                                     0.23395696728634552,  0.23395696728634552,
+                                     0.18038078652406930,  0.085662246189585178};
 
 void bow_run_to(const struct bow *b, double zeta, struct bow_run *r)
 {
@@ -121,7 +122,7 @@ enum status beam_new(const struct bow *bow, const struct section *section, struc
         ds = weight[k] * bow->Lz * q.dsdz;
         transfer(&q, origin, Y);
         transfer_loads(&q, &r, Q);
-        add_work(ds, Y, section->flexibility, Y, 6, F);          /* (31) */
+        add_work(ds, Y, section->flexibility, Y, 6, F); /* (31) */
         add_work(ds, Y, section->flexibility, Q, 3, ret->spread);
     }
     bow_run_to(bow, 1, &r);
@@ -187,7 +188,8 @@ void beam_loads(const struct beam *b, const double q[3], double ret[12])
         double u[6];
 
         for (int k = 0; k < 6; k++)
-            u[k] = b->spread[k] * local[0] + b->spread[k + 6] * local[1] + b->spread[k + 12] * local[2];
+            u[k] = b->spread[k] * local[0] + b->spread[k + 6] * local[1] +
+                   b->spread[k + 12] * local[2];
         f[i] = 0;
         for (int k = 0; k < 6; k++)
             f[i] += b->K[i + 6 * k] * u[k];
@@ -229,8 +231,8 @@ void beam_section(const struct bow *b, const struct bow_run *at, const double F[
     mat3_apply(here.C, moment, ret + 1);
 }
 
-/* Displacement and rotation (6, 12) of the point at zeta by those of the ends: rigid with end 2, and
- * what the forces bring that move end 1. */
+/* Displacement and rotation (6, 12) of the point at zeta by those of the ends: rigid with end 2,
+ * and what the forces bring that move end 1. */
 static void shape(const struct beam *b, const struct section *section, double zeta, double N[72])
 {
     struct bow_point at;
@@ -258,8 +260,8 @@ static void shape(const struct beam *b, const struct section *section, double ze
             for (int i = 0; i < 6; i++)
                 N[i + 6 * j] += FK[i + 6 * l] * T[j + 12 * l];
     for (int j = 0; j < 3; j++) { /* u2 + phi2 x (p - p2), phi2 */
-        const double e[3] = {j == 0, j == 1, j == 2}, lever[3] = {at.p[0], at.p[1],
-                                                                  at.p[2] - b->bow.Lz};
+        const double e[3] = {j == 0, j == 1, j == 2},
+                     lever[3] = {at.p[0], at.p[1], at.p[2] - b->bow.Lz};
         double u[3];
 
         vec3_cross(e, lever, u);

@@ -13,10 +13,10 @@
 
 struct beam {
     struct bow bow;
-    double length;    /* of the curve [m] */
-    double K[36];     /* F^-1 (32): force at end 1 by its displacement */
+    double length;     /* of the curve [m] */
+    double K[36];      /* F^-1 (32): force at end 1 by its displacement */
     double spread[18]; /* (6, 3): displacement of end 1 by a load of 1 N/m along each axis */
-    double S[3];      /* int (p - p_2) ds [m2] */
+    double S[3];       /* int (p - p_2) ds [m2] */
 };
 
 /* The element on this bow.  SW_INDEFINITE: it has no stiffness (NaN, no length). */

@@ -19,10 +19,10 @@ struct bow {
 
 /* A point of the centre line, in the chord axes, from end 1. */
 struct bow_point {
-    double p[3];  /* [m] */
-    double t[3];  /* unit tangent */
-    double C[9];  /* section frame (15) */
-    double dsdz;  /* (26) */
+    double p[3]; /* [m] */
+    double t[3]; /* unit tangent */
+    double C[9]; /* section frame (15) */
+    double dsdz; /* (26) */
 };
 
 /* Chord axes of the direction e: x in the plane of e and z0, y level; phi_0 = 0 along z0. */
@@ -32,8 +32,8 @@ void bow_axes(const double e[3], double B[9]);
 void bow_frame(const double t[3], double psi, double C[9]);
 
 /* Through the points x1, x2 between end frames A1, A2 (global).  psi_2 is taken within half a turn
- * of psi_1 + twist.  Returns the larger end angle between tangent and chord [rad]; at pi/2 and above
- * there is no such bow and *ret is not complete.  A chord of length 0 gives pi. */
+ * of psi_1 + twist.  Returns the larger end angle between tangent and chord [rad]; at pi/2 and
+ * above there is no such bow and *ret is not complete.  A chord of length 0 gives pi. */
 double bow_between(const double x1[3], const double x2[3], const double A1[9], const double A2[9],
                    double twist, double bulge, struct bow *ret);
 

@@ -29,8 +29,8 @@ static struct turning turning_of(double x)
     if (x < SMALL) {
         f.g = 1.0 / 2 + x * (1.0 / 24 + x * (1.0 / 240 + x * (17.0 / 40320 + x * 31.0 / 725760)));
         f.g_x = 1.0 / 24 + x * (1.0 / 120 + x * (17.0 / 13440 + x * 31.0 / 181440));
-        f.h = -(1.0 / 6 + x * (7.0 / 360 + x * (31.0 / 15120 + x * (127.0 / 604800 +
-                                                                    x * 73.0 / 3421440))));
+        f.h = -(1.0 / 6 +
+                x * (7.0 / 360 + x * (31.0 / 15120 + x * (127.0 / 604800 + x * 73.0 / 3421440))));
         f.h_x = -(7.0 / 360 + x * (31.0 / 7560 + x * (127.0 / 201600 + x * 73.0 / 855360)));
         f.t = 1 - f.h * x;
         f.t_x = -f.h - f.h_x * x;
@@ -49,11 +49,11 @@ static struct turning turning_of(double x)
 
 /* What is known of the element where it is. */
 struct place_of {
-    double w[3];           /* half the turn of end 1 against end 2 */
-    double r[3];           /* end 1 - end 2 in element axes */
-    double ql[3];          /* load in element axes */
-    double f[6];           /* forces at end 1 */
-    double y[3];           /* where the load acts */
+    double w[3];              /* half the turn of end 1 against end 2 */
+    double r[3];              /* end 1 - end 2 in element axes */
+    double ql[3];             /* load in element axes */
+    double f[6];              /* forces at end 1 */
+    double y[3];              /* where the load acts */
     double m[3], mw[3], n[3]; /* moments that turn all, that bend, and half the difference */
     struct turning by;
 };
@@ -142,7 +142,7 @@ static void hold_ends(const struct corotate *e, const double *q, const struct pl
  */
 struct blocks {
     double P[9], A[9], W[9];
-    double Y[2][9], Z[2][9];              /* upper and lower three rows */
+    double Y[2][9], Z[2][9]; /* upper and lower three rows */
     double uu[9], us[9], ud[9], ss[9], sd[9], dd[9];
 };
 

@@ -15,10 +15,10 @@ struct station {
     double bulge;      /* psi in the middle of that piece beyond the mean [rad] */
 };
 
-/* Stations from `a` to `b` (a.twist, a.bulge: of the whole) such that the end angles of all pieces are at most
- * `angle` and their twists 3 angle.  Circles and helices are met exactly, or to the order of the
- * element.  ret: room for DIVIDE_MOST + 1.  Returns the number of pieces, 0: more would be needed,
- * or the ends point back. */
+/* Stations from `a` to `b` (a.twist, a.bulge: of the whole) such that the end angles of all pieces
+ * are at most `angle` and their twists 3 angle.  Circles and helices are met exactly, or to the
+ * order of the element.  ret: room for DIVIDE_MOST + 1.  Returns the number of pieces, 0: more
+ * would be needed, or the ends point back. */
 int divide(const struct station *a, const struct station *b, double angle, struct station *ret);
 
 #endif

@@ -8,13 +8,13 @@
 #include "phys/frame.h"
 
 struct follow_options {
-    double tolerance;  /* of the residual */
-    int parts;         /* first step: a stage over this */
-    int steps;         /* at most */
-    int iterations;    /* of one step, at most */
-    int arc;           /* whether the last stage goes by arc length */
-    int critical;      /* stop where the equilibrium loses its definiteness */
-    int watch;         /* a node whose path is kept, -1: none */
+    double tolerance; /* of the residual */
+    int parts;        /* first step: a stage over this */
+    int steps;        /* at most */
+    int iterations;   /* of one step, at most */
+    int arc;          /* whether the last stage goes by arc length */
+    int critical;     /* stop where the equilibrium loses its definiteness */
+    int watch;        /* a node whose path is kept, -1: none */
 };
 
 struct follow_step {

@@ -172,9 +172,9 @@ void frame_set_loads(const struct frame *f, double t, struct frame_work *w)
 
 /* A block while it is put together: of a beam, or of a spring. */
 struct block {
-    int i, n;                    /* element; its unknowns */
+    int i, n;                     /* element; its unknowns */
     int ends[2], to[HINGED_MOST]; /* nodes, unknowns */
-    double du[HINGED_MOST];      /* moves of them that follow */
+    double du[HINGED_MOST];       /* moves of them that follow */
     double force[HINGED_MOST], K[HINGED_MOST * HINGED_MOST];
 };
 

@@ -1,9 +1,9 @@
 /*
- * Structures of curved beams: nodes, elements of any topology, hinges, springs, supports, loads; the
- * forces and the stiffness of a deformed state.
+ * Structures of curved beams: nodes, elements of any topology, hinges, springs, supports, loads;
+ * the forces and the stiffness of a deformed state.
  *
- * Loads and prescribed displacements belong to stages 1, 2, ...; at the time t the factor of stage k
- * is t - k + 1, kept within 0 and 1.
+ * Loads and prescribed displacements belong to stages 1, 2, ...; at the time t the factor of stage
+ * k is t - k + 1, kept within 0 and 1.
  */
 #ifndef SEILWERK_PHYS_FRAME_H
 #define SEILWERK_PHYS_FRAME_H
@@ -22,10 +22,10 @@ struct frame_node {
 };
 
 struct frame_beam {
-    int a, b;            /* nodes */
+    int a, b; /* nodes */
     const struct section *section;
-    struct beam beam;    /* natural */
-    double A[2][9];      /* natural section frames of the ends */
+    struct beam beam; /* natural */
+    double A[2][9];   /* natural section frames of the ends */
     struct hinge hinge[2];
 };
 
@@ -63,23 +63,23 @@ struct frame_state {
 /* Unknowns and matrices of a frame, and what was last evaluated.  Owned. */
 struct frame_work {
     int unknowns;
-    int *dof;      /* (n, 6) unknown, -1: held */
-    int *first;    /* (beams, 2) first unknown of each hinge */
+    int *dof;   /* (n, 6) unknown, -1: held */
+    int *first; /* (beams, 2) first unknown of each hinge */
     struct sparse K;
-    int *at;       /* places of all blocks in K, block after block */
-    double *load;  /* (n, 6) */
-    double *q;     /* (beams, 3) */
-    double *open;  /* (n, 6) force by which nodes are held or missing: ends - loads */
-    double *right; /* (unknowns) minus the same of the unknowns */
-    double *end;   /* (beams, 12) end forces */
-    double *guess; /* (beams, 6) forces of corotate_foresee */
-    int guessed;   /* whether they make the geometric stiffness */
-    double force, moment;             /* largest of ends and loads: scales of residuals */
+    int *at;              /* places of all blocks in K, block after block */
+    double *load;         /* (n, 6) */
+    double *q;            /* (beams, 3) */
+    double *open;         /* (n, 6) force by which nodes are held or missing: ends - loads */
+    double *right;        /* (unknowns) minus the same of the unknowns */
+    double *end;          /* (beams, 12) end forces */
+    double *guess;        /* (beams, 6) forces of corotate_foresee */
+    int guessed;          /* whether they make the geometric stiffness */
+    double force, moment; /* largest of ends and loads: scales of residuals */
     double floor_force, floor_moment; /* what rounding of places and rotations brings */
     double size, chord;               /* of the structure, mean of the elements [m] */
     double angle;                     /* largest turn within an element */
-    double energy; /* of deformation and of distributed loads */
-    int negative;  /* pivots of the last factor that were: 0 is stable */
+    double energy;                    /* of deformation and of distributed loads */
+    int negative;                     /* pivots of the last factor that were: 0 is stable */
 };
 
 /* Factor of a stage at time t. */
@@ -99,8 +99,8 @@ void frame_work_free(struct frame_work *w);
 void frame_set_loads(const struct frame *f, double t, struct frame_work *w);
 
 /* Forces and stiffness at s under the loads that are set.  node (n, 6) and hinge (unknowns), each
- * or NULL: small moves that follow; the forces that they bring, by K, are added to those of ends and
- * nodes.  K is not factored. */
+ * or NULL: small moves that follow; the forces that they bring, by K, are added to those of ends
+ * and nodes.  K is not factored. */
 struct frame_moves {
     const double *node, *hinge;
 };

@@ -39,8 +39,7 @@ void frame_state_free(struct frame_state *s)
     *s = (struct frame_state){.x = NULL};
 }
 
-void frame_state_copy(const struct frame *f, const struct frame_state *from,
-                      struct frame_state *to)
+void frame_state_copy(const struct frame *f, const struct frame_state *from, struct frame_state *to)
 {
     size_t n = (size_t)f->n;
 

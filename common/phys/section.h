@@ -19,16 +19,16 @@ enum section_shape {
 
 struct section {
     enum section_shape shape;
-    double E, G;             /* [Pa] */
-    double diameter, wall;   /* [m] */
-    double width, height;    /* [m] */
-    double area;             /* [m2] */
-    double Ixx, Iyy, It;     /* [m4]; Ixx = int y^2 dA */
-    double ex, ey, Wt;       /* largest |x| and |y| [m], Mt/Wt the largest shear stress [m3]; NAN */
-    double mass;             /* [kg/m] */
-    double inertia[3];       /* of rotation about x, y, t per metre [kg m] */
-    double stiffness[16];    /* section forces by strains, symmetric */
-    double flexibility[16];  /* its inverse, H of (28) */
+    double E, G;            /* [Pa] */
+    double diameter, wall;  /* [m] */
+    double width, height;   /* [m] */
+    double area;            /* [m2] */
+    double Ixx, Iyy, It;    /* [m4]; Ixx = int y^2 dA */
+    double ex, ey, Wt;      /* largest |x| and |y| [m], Mt/Wt the largest shear stress [m3]; NAN */
+    double mass;            /* [kg/m] */
+    double inertia[3];      /* of rotation about x, y, t per metre [kg m] */
+    double stiffness[16];   /* section forces by strains, symmetric */
+    double flexibility[16]; /* its inverse, H of (28) */
 };
 
 /* St. Venant's torsion constant of a rectangle [m4], and Wt [m3]: series in tanh and 1/cosh. */

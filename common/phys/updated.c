@@ -247,9 +247,9 @@ enum status updated(const struct frame *f, const struct follow_options *o, struc
         s->t = status == SW_OK ? (i + 1.0) / o->parts : s->t;
         done->t = s->t;
         for (int c = 0; c < 6 && o->watch >= 0; c++)
-            done->watch[c] = c < 3 ? s->x[3 * o->watch + c] - f->node[o->watch].x[c] +
-                                         s->low[3 * o->watch + c]
-                                   : s->turn[3 * o->watch + c - 3];
+            done->watch[c] =
+                c < 3 ? s->x[3 * o->watch + c] - f->node[o->watch].x[c] + s->low[3 * o->watch + c]
+                      : s->turn[3 * o->watch + c - 3];
     }
     if (status == SW_OK) {
         status = end_forces(&k);

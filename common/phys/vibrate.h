@@ -12,8 +12,9 @@ enum status vibrate_mass(const struct frame *f, const struct frame_state *s,
                          const struct frame_work *w, double *M);
 
 /* The k lowest modes: squares of the angular frequencies lambda [1/s2], ascending, negative where
- * the state is unstable; shapes (n, 6, k) with unit modal mass, spins as rotations.  w->K belongs to
- * s, as frame_evaluate leaves it.  1 <= k <= unknowns.  Failures as above and of subspace_lowest. */
+ * the state is unstable; shapes (n, 6, k) with unit modal mass, spins as rotations.  w->K belongs
+ * to s, as frame_evaluate leaves it.  1 <= k <= unknowns.  Failures as above and of
+ * subspace_lowest. */
 enum status vibrate(const struct frame *f, const struct frame_state *s, struct frame_work *w, int k,
                     double *lambda, double *shape);
 

@@ -142,8 +142,7 @@ static void strain_energy_gradient(void **state)
                     quat_exp(spin, dq);
                     quat_multiply(dq, turned[j / 6], turned[j / 6]);
                 }
-                const double d[3] = {at[0][0] - at[1][0], at[0][1] - at[1][1],
-                                     at[0][2] - at[1][2]};
+                const double d[3] = {at[0][0] - at[1][0], at[0][1] - at[1][1], at[0][2] - at[1][2]};
 
                 corotate(&e, d, turned[0], turned[1], load, NULL, &side[sign], NULL);
                 U[sign] = side[sign].energy - b.length * vec3_dot(load, at[1]);
@@ -506,4 +505,8 @@ static void twisted_pieces(void **state)
     }
 }
 
-TEST_MAIN(cmocka_unit_test(keeps_end_frames), cmocka_unit_test(straight_is_bernoulli), cmocka_unit_test(free_element), cmocka_unit_test(objective), cmocka_unit_test(natural_state), cmocka_unit_test(straight_load_and_mass), cmocka_unit_test(rigid_mass), cmocka_unit_test(section_forces_in_balance), cmocka_unit_test(twisted_pieces), cmocka_unit_test(strain_energy_gradient))
+TEST_MAIN(cmocka_unit_test(keeps_end_frames), cmocka_unit_test(straight_is_bernoulli),
+          cmocka_unit_test(free_element), cmocka_unit_test(objective),
+          cmocka_unit_test(natural_state), cmocka_unit_test(straight_load_and_mass),
+          cmocka_unit_test(rigid_mass), cmocka_unit_test(section_forces_in_balance),
+          cmocka_unit_test(twisted_pieces), cmocka_unit_test(strain_energy_gradient))

@@ -105,7 +105,7 @@ static void euler_elastica(void **state)
                 double exact = c ? y : x, fine = at[2][2 * i + c];
 
                 most[0] = fmax(most[0], fabs(fine - exact));
-                near_abs(fine, exact, 1e-5);                           /* 128 elements */
+                near_abs(fine, exact, 1e-5);                              /* 128 elements */
                 near_abs((4 * fine - at[1][2 * i + c]) / 3, exact, 2e-7); /* extrapolated */
                 most[1] = fmax(most[1], fabs(at[1][2 * i + c] - exact));
             }
@@ -272,14 +272,14 @@ static void path_independent(void **state)
         }
         rod_load(&p, 8, way == 1 ? 2 : 1, (double[6]){0, 0, 8});
         rod_load(&p, 5, way == 0 || way == 3 ? 2 : 1, (double[6]){4, -2, 0});
-        p.f.load[p.f.loads++] = (struct frame_load){.node = -1, .beam = 3, .value = {20, 0, 10},
-                                                    .stage = 1};
+        p.f.load[p.f.loads++] =
+            (struct frame_load){.node = -1, .beam = 3, .value = {20, 0, 10}, .stage = 1};
         p.f.stages = way < 2 ? 2 : 1;
         if (way == 3) { /* and away again */
             rod_load(&p, 8, 3, (double[6]){0, 0, -8});
             rod_load(&p, 5, 3, (double[6]){-4, 2, 0});
-            p.f.load[p.f.loads++] = (struct frame_load){
-                .node = -1, .beam = 3, .value = {-20, 0, -10}, .stage = 3};
+            p.f.load[p.f.loads++] =
+                (struct frame_load){.node = -1, .beam = 3, .value = {-20, 0, -10}, .stage = 3};
             p.f.stages = 3;
         }
         rod_solve(&p, 4);
@@ -370,7 +370,9 @@ static void deep_arch(void **state)
     for (int m = 0; m < 2; m++) {
         int n = 24 << m;
         struct rod p;
-        struct follow_options o = rod_options(40);
+        struct follow_options o = rod_options(200);
+        double lowest = 0;
+        int unstable = 0;
 
         arch_angle = 215 * PI / 180;
         rod_new(&p, n, rod_section(1e6, 1, 1, 1), arch);
@@ -379,17 +381,22 @@ static void deep_arch(void **state)
             p.f.node[i].held |= 4 | 8 | 16; /* in its plane */
         rod_load(&p, n / 2, 1, (double[6]){0, -20, 0});
         o.arc = 1;
-        o.steps = 120;
+        o.steps = 600;
         o.watch = n / 2;
         assert_int_equal(rod_follow(&p, &o), SW_OK);
         limit[m] = peak(&p.path, 20);
         assert_int_equal(p.path.step[5].negative, 0);
-        assert_true(p.path.step[p.path.n - 1].t < limit[m] / 20);
-        if(getenv("DBG"))for(int i=0;i<p.path.n;i++)printf("%d %g %g %d %d\n",i,p.path.step[i].t*20,p.path.step[i].watch[1],p.path.step[i].negative,p.path.step[i].iterations);
+        for (int k = 0; k < p.path.n; k++) { /* down, through zero load, and up on the other side */
+            lowest = fmin(lowest, p.path.step[k].t);
+            unstable += p.path.step[k].negative > 0;
+        }
+        assert_true(lowest < -0.01 && unstable > 50);
+        near_abs(p.s.t, 1, 1e-12);
+        assert_int_equal(p.w.negative, 0);
         rod_free(&p);
     }
-    print_message("deep arch: limit load %.4f, %.4f, extrapolated %.4f EI/R^2\n", limit[0], limit[1],
-                  (4 * limit[1] - limit[0]) / 3);
+    print_message("deep arch: limit load %.4f, %.4f, extrapolated %.4f EI/R^2\n", limit[0],
+                  limit[1], (4 * limit[1] - limit[0]) / 3);
     near_abs((4 * limit[1] - limit[0]) / 3, 8.97, 0.005); /* its printed digits */
 }
 
@@ -445,7 +452,7 @@ static void lees_frame(void **state)
 static double critical_moment(int n, double tension, double GJ)
 {
     struct rod p;
-    struct follow_options o = rod_options(10);
+    struct follow_options o = rod_options(100); /* long steps may leave the straight path */
     double M;
 
     rod_new(&p, n, rod_section(1e7, 1, 1, GJ), line);
@@ -455,7 +462,7 @@ static double critical_moment(int n, double tension, double GJ)
     rod_load(&p, n, 1, (double[6]){tension});
     o.critical = 1;
     assert_int_equal(rod_follow(&p, &o), SW_OK);
-    assert_false(isnan(p.path.critical));
+    assert_true(p.path.critical > 1);
     assert_int_equal(p.w.negative, 0);
     M = p.w.open[6 * n + 3];
     near_rel(M, 14 * (p.path.critical - 1), 1e-6); /* GJ times the twist */
@@ -482,7 +489,7 @@ static void twisted_rod(void **state)
     exact = (4 * fine - coarse) / 3;
     print_message("twisted rod: %.6f, %.6f, extrapolated %.6f\n", coarse, fine, exact);
     near_rel(exact, 8.986819, 2e-6);
-    near_rel((4 * critical_moment(40, 0, 0.6) - critical_moment(20, 0, 0.6)) / 3, 8.986819, 2e-6);
+    near_rel((4 * critical_moment(80, 0, 0.6) - critical_moment(40, 0, 0.6)) / 3, 8.986819, 5e-6);
     for (low = 2 * sqrt(T) * 1.001, high = low;
          twist_condition(low, T) * twist_condition(high, T) > 0; high += 0.01)
         ;
@@ -494,39 +501,73 @@ static void twisted_rod(void **state)
         else
             high = middle;
     }
-    exact = (4 * critical_moment(40, T, 1) - critical_moment(20, T, 1)) / 3;
+    exact = (4 * critical_moment(80, T, 1) - critical_moment(40, T, 1)) / 3;
     print_message("with tension %g: %.6f, by its characteristic equation %.6f\n", T, exact, low);
     near_rel(exact, low, 5e-6);
 }
 
-/* The document's iteration on the elastica: what it converges to, by steps. */
+/* Linear displacement of the tip on the geometry that a state has. */
+static double linear_on(const struct rod *p, int n)
+{
+    struct rod now;
+    double moved;
+
+    rod_new(&now, n, p->section, line);
+    for (int i = 0; i <= n; i++)
+        memcpy(now.f.node[i].x, p->s.x + 3 * i, sizeof now.f.node[i].x);
+    for (int i = 0; i < n; i++) {
+        struct frame_beam *b = &now.f.beam[i];
+        struct bow bow;
+
+        b->section = &now.section;
+        frame_ends(&p->f, &p->s, i, b->A[0], b->A[1]);
+        bow_between(now.f.node[i].x, now.f.node[i + 1].x, b->A[0], b->A[1], 0, 0, &bow);
+        assert_int_equal(beam_new(&bow, &now.section, &b->beam), SW_OK);
+    }
+    now.f.load[now.f.loads++] = p->f.load[0];
+    rod_linear(&now);
+    moved = rod_moved(&now, n, 1);
+    rod_free(&now);
+    return moved;
+}
+
+/*
+ * The document's iteration converges as steps shrink (order 1), but to the displacement of linear
+ * theory on the deformed geometry, V = K(V)^-1 F: for the cantilever under P L^2/EI = 0.3 the tip
+ * moves 2 % less than in equilibrium.
+ */
 static void documents_iteration(void **state)
 {
-    double tip[3], exact;
-    struct elastica e = elastica_of(1);
-    double x;
+    double tip[4], own = 0, exact;
 
     (void)state;
-    elastica_at(&e, 1, &x, &exact);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         struct rod p;
-        struct follow_options o = rod_options(8 << (2 * k));
+        struct follow_options o = rod_options(k < 3 ? 16 << (2 * k) : 1);
 
-        o.tolerance = 1e-8;
-        o.iterations = 50;
-        rod_new(&p, 16, rod_section(1e5, 1, 1, 1), line);
-        rod_load(&p, 16, 1, (double[6]){0, 1, 0});
-        rod_begin(&p);
-        assert_null(updated_refused(&p.f));
-        assert_int_equal(updated(&p.f, &o, &p.s, &p.w, &p.path), SW_OK);
+        o.tolerance = 1e-9;
+        o.iterations = 100;
+        rod_new(&p, 16, rod_section(100, 1, 1, 1), line);
+        rod_load(&p, 16, 1, (double[6]){0, 0.3, 0});
+        if (k == 3) {
+            rod_solve(&p, 5);
+        } else {
+            rod_begin(&p);
+            assert_null(updated_refused(&p.f));
+            assert_int_equal(updated(&p.f, &o, &p.s, &p.w, &p.path), SW_OK);
+            near_abs(p.w.open[1], -0.3, 1e-10); /* (38) on the last geometry is in balance */
+            own = linear_on(&p, 16);
+        }
         tip[k] = rod_moved(&p, 16, 1);
-        near_abs(p.w.open[1], -1, 1e-8); /* (38) on the last geometry is in balance */
         rod_free(&p);
     }
-    print_message("method updated: w = %.6f %.6f %.6f with 8, 32, 128 steps; exact %.6f\n", tip[0],
-                  tip[1], tip[2], exact);
-    below(fabs(tip[2] - tip[1]), fabs(tip[1] - tip[0])); /* it converges ... */
-    assert_true(fabs(tip[2] - exact) > 1e-3);            /* ... to something else: the page says it */
+    exact = tip[3];
+    print_message("method updated: w = %.6f %.6f %.6f with 16, 64, 256 steps; linear on that %.6f; "
+                  "equilibrium %.6f\n",
+                  tip[0], tip[1], tip[2], own, exact);
+    near_abs((tip[2] - tip[1]) / (tip[1] - tip[0]), 0.25, 0.05);
+    near_rel((4 * tip[2] - tip[1]) / 3, own, 2e-3);
+    near_abs((4 * tip[2] - tip[1]) / 3 / exact - 1, -0.021, 0.003);
 }
 
 /* A bar behind a hinge that turns far, on weak springs: it carries force along itself alone. */
@@ -546,14 +587,15 @@ static void turning_hinges(void **state)
         p.f.beam[1].hinge[0].n = kind;
         p.f.beam[1].hinge[0].axis[0][2] = 1;
         p.f.beam[1].hinge[0].axis[1][1] = 1;
-        p.f.beam[1].hinge[1].n = 3;
+        p.f.beam[1].hinge[1].n = kind < 3 ? 3 : 0;
         rod_load(&p, 2, 1, (double[6]){-6, 5, kind > 1 ? 2 : 0});
         rod_solve(&p, 20);
         for (int c = 0; c < 3; c++)
             d[c] = p.s.x[6 + c] - p.s.x[3 + c];
         vec3_cross(d, p.w.end + 12, along);
         assert_true(d[0] < 0); /* more than a right angle from where it was */
-        near_abs(vec3_length(along) / vec3_length(p.w.end + 12), 0, 1e-8);
+        near_abs(vec3_length(along) / vec3_length(p.w.end + 12), 0,
+                 kind < 3 ? 1e-8 : 1e-3); /* the third one's end turns a spring of 1e-3 */
         near_abs(vec3_length(p.w.end + 15), 0, 1e-8);
         rod_free(&p);
     }

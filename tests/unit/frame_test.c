@@ -1,4 +1,5 @@
-/* Frames in linear theory: closed forms, order of convergence, hinges, springs, prescribed moves. */
+/* Frames in linear theory: closed forms, order of convergence, hinges, springs, prescribed moves.
+ */
 #include "rod.h"
 
 #include "phys/divide.h"
@@ -119,8 +120,7 @@ static void pinched_ring(void **state)
         rod_load(&p, n / 2, 1, (double[6]){1});
         rod_linear(&p);
         error[0][k] = fabs((rod_moved(&p, n / 2, 0) - rod_moved(&p, 0, 0)) / wanted[0] - 1);
-        error[1][k] =
-            fabs((rod_moved(&p, n / 4, 1) - rod_moved(&p, 3 * n / 4, 1)) / wanted[1] - 1);
+        error[1][k] = fabs((rod_moved(&p, n / 4, 1) - rod_moved(&p, 3 * n / 4, 1)) / wanted[1] - 1);
         rod_free(&p);
     }
     for (int c = 0; c < 2; c++) {
@@ -133,8 +133,8 @@ static void pinched_ring(void **state)
 
 /*
  * Semicircular bow, clamped at both ends, a force P out of its plane at the crown.  At the crown
- * the torsion is zero by symmetry, the bending moment M0: from the crown, M = M0 cos a - (P/2) R sin
- * a, T = M0 sin a - (P/2) R (1 - cos a); no rotation about the crown's radius gives M0.
+ * the torsion is zero by symmetry, the bending moment M0: from the crown, M = M0 cos a - (P/2) R
+ * sin a, T = M0 sin a - (P/2) R (1 - cos a); no rotation about the crown's radius gives M0.
  */
 static void bow_out_of_plane(void **state)
 {
@@ -149,7 +149,8 @@ static void bow_out_of_plane(void **state)
         double a = PI / 2 * (k + 0.5) / 20000;
         double M = M0 * cos(a) - P / 2 * R * sin(a), T = M0 * sin(a) - P / 2 * R * (1 - cos(a));
 
-        moved += 2 * R * (M * (-R / 2 * sin(a)) + T / GJ * (-R / 2 * (1 - cos(a)))) * PI / 2 / 20000;
+        moved +=
+            2 * R * (M * (-R / 2 * sin(a)) + T / GJ * (-R / 2 * (1 - cos(a)))) * PI / 2 / 20000;
     }
     wanted = moved;
     for (int n = 8; n <= 16; n *= 2) {
@@ -253,10 +254,10 @@ static void hinged_beam(void **state)
         p.f.node[4].held = 2 | 4;
         rod_load(&p, 3, 1, (double[6]){0, -1, 0});
         rod_linear(&p);
-        near_abs(p.w.open[6 * 4 + 1], 0.5, 1e-11);  /* roller */
-        near_abs(p.w.open[1], 0.5, 1e-11);          /* clamp */
-        near_abs(p.w.open[5], 0.25, 1e-11);         /* its moment, 1/2 x 1/2 */
-        near_abs(p.w.end[12 * 2 + 5], 0, 1e-11);    /* the hinge */
+        near_abs(p.w.open[6 * 4 + 1], 0.5, 1e-11);          /* roller */
+        near_abs(p.w.open[1], 0.5, 1e-11);                  /* clamp */
+        near_abs(p.w.open[5], 0.25, 1e-11);                 /* its moment, 1/2 x 1/2 */
+        near_abs(p.w.end[12 * 2 + 5], 0, 1e-11);            /* the hinge */
         near_abs(rod_moved(&p, 2, 1), -0.5 / 3 / 8, 1e-11); /* P L^3/(3 EI), P = L = 1/2 */
         rod_free(&p);
     }
@@ -322,11 +323,11 @@ static void own_weight(void **state)
         p.f.load = mem_zeroed((size_t)n, sizeof *p.f.load);
         assert_non_null(p.f.load);
         for (int i = 0; i < n; i++)
-            p.f.load[p.f.loads++] = (struct frame_load){.node = -1, .beam = i, .value = {0, 0, -1},
-                                                        .stage = 1};
+            p.f.load[p.f.loads++] =
+                (struct frame_load){.node = -1, .beam = i, .value = {0, 0, -1}, .stage = 1};
         rod_linear(&p);
         near_rel(p.w.open[2], PI / 2, 1e-3); /* length of the cubics */
-        for (int i = 0; i < 4000; i++) { /* unit load at the tip against the weight beyond a */
+        for (int i = 0; i < 4000; i++) {     /* unit load at the tip against the weight beyond a */
             double a = PI / 2 * (i + 0.5) / 4000, s = sin(a), c = cos(a);
             double M1 = s, T1 = 1 - c, Mw = 1 - c, Tw = a - s;
 

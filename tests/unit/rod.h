@@ -26,21 +26,16 @@ struct rod {
 /* EA, EIx, EIy, GIt; mass per length 1. */
 static inline struct section rod_section(double EA, double EIx, double EIy, double GIt)
 {
-    struct section s = {.shape = SECTION_VALUES,
-                        .E = 1,
-                        .G = 1,
-                        .area = EA,
-                        .Ixx = EIx,
-                        .Iyy = EIy,
-                        .It = GIt};
+    struct section s = {
+        .shape = SECTION_VALUES, .E = 1, .G = 1, .area = EA, .Ixx = EIx, .Iyy = EIy, .It = GIt};
 
     assert_int_equal(section_complete(&s, 0), SW_OK);
     s.mass = 1;
     return s;
 }
 
-/* n elements, node 0 clamped, one stage, room for 16 loads.  Ends are seen from within: there may be
- * corners. */
+/* n elements, node 0 clamped, one stage, room for 16 loads.  Ends are seen from within: there may
+ * be corners. */
 static inline void rod_new(struct rod *p, int n, struct section section, rod_curve curve)
 {
     *p = (struct rod){.section = section};
@@ -89,11 +84,8 @@ static inline void rod_hold(struct rod *p, int node, int direction, int stage, d
 
 static inline struct follow_options rod_options(int parts)
 {
-    return (struct follow_options){.tolerance = 1e-10,
-                                   .parts = parts,
-                                   .steps = 1000,
-                                   .iterations = 20,
-                                   .watch = -1};
+    return (struct follow_options){
+        .tolerance = 1e-10, .parts = parts, .steps = 1000, .iterations = 20, .watch = -1};
 }
 
 static inline void rod_begin(struct rod *p)
