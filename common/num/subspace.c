@@ -11,6 +11,7 @@
 
 #define ROUNDS 200
 #define TOLERANCE 1e-12 /* relative change of the shifted eigenvalues */
+#define NOTHING 1e-12   /* of a vector is left: it lies in the others, or moves no mass */
 #define APART 1e-7      /* below the last eigenvalue: what multiple ones differ by at most */
 
 struct run {
@@ -19,9 +20,10 @@ struct run {
     double *own;   /* K's values */
     int n, k, p;   /* p vectors are iterated */
     double shift;  /* K + shift M is positive definite */
-    double *x, *y; /* (n, p) */
-    double *A, *B; /* (p, p) */
-    double *ritz, *before;
+    double *x, *y; /* (n, p) X^T M X = I, M X */
+    double *z;     /* (n, p) */
+    double *C;     /* (p, p) */
+    double *ritz, *before; /* (p) eigenvalues of (K + shift M)^-1 M, descending */
 };
 
 static void run_free(struct run *r)
@@ -31,8 +33,8 @@ static void run_free(struct run *r)
     free(r->own);
     free(r->x);
     free(r->y);
-    free(r->A);
-    free(r->B);
+    free(r->z);
+    free(r->C);
     free(r->ritz);
     free(r->before);
 }
@@ -46,11 +48,11 @@ static enum status run_new(struct sparse *K, const double *M, int k, struct run 
     r->own = mem_copy(K->value, K->entries * sizeof *K->value);
     r->x = mem_doubles(n * columns);
     r->y = mem_doubles(n * columns);
-    r->A = mem_doubles(columns * columns);
-    r->B = mem_doubles(columns * columns);
+    r->z = mem_doubles(n * columns);
+    r->C = mem_doubles(columns * columns);
     r->ritz = mem_doubles(columns);
     r->before = mem_doubles(columns);
-    return r->own && r->x && r->y && r->A && r->B && r->ritz && r->before ? SW_OK : SW_NOMEM;
+    return r->own && r->x && r->y && r->z && r->C && r->ritz && r->before ? SW_OK : SW_NOMEM;
 }
 
 /* Factor K + shift M; how many eigenvalues lie below -shift.  A pivot that is rounding is met on an
@@ -106,45 +108,71 @@ static void start(struct run *r)
     }
 }
 
-/* y = M x. */
-static void multiply(const struct run *r, const double *x, double *y)
+static double *column(const struct run *r, double *of, int j)
+{
+    return of + (size_t)r->n * (size_t)j;
+}
+
+/* y_j = M x_j. */
+static void multiply(struct run *r, int j)
 {
     struct sparse M = *r->K;
-    size_t n = (size_t)r->n;
 
-    M.value = (double *)(uintptr_t)r->M;
-    memset(y, 0, n * (size_t)r->p * sizeof *y);
-    for (int j = 0; j < r->p; j++)
-        sparse_multiply_add(&M, 1, x + n * (size_t)j, y + n * (size_t)j);
+    M.value = (double *)(uintptr_t)r->M; /* is only read */
+    memset(column(r, r->y, j), 0, (size_t)r->n * sizeof *r->y);
+    sparse_multiply_add(&M, 1, column(r, r->x, j), column(r, r->y, j));
 }
 
-static void project(const struct run *r, const double *x, const double *y, double *A)
+/* X^T M X = I, y = M X: Gram and Schmidt, twice.  What is nothing but rounding ends the basis. */
+static enum status orthonormalize(struct run *r)
 {
-    cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, r->p, r->p, r->n, 1, x, r->n, y, r->n, 0,
-                A, r->p);
+    for (int j = 0; j < r->p; j++) {
+        double *x = column(r, r->x, j), before, after;
+
+        multiply(r, j);
+        before = cblas_ddot(r->n, x, 1, column(r, r->y, j), 1);
+        for (int twice = 0; twice < 2 && j > 0; twice++) {
+            cblas_dgemv(CblasColMajor, CblasTrans, r->n, j, 1, r->y, r->n, x, 1, 0, r->C, 1);
+            cblas_dgemv(CblasColMajor, CblasNoTrans, r->n, j, -1, r->x, r->n, r->C, 1, 1, x, 1);
+        }
+        multiply(r, j);
+        after = cblas_ddot(r->n, x, 1, column(r, r->y, j), 1);
+        if (!(after > NOTHING * NOTHING * before) || !(before < INFINITY)) {
+            r->p = j;
+            return j < r->k ? SW_INDEFINITE : SW_OK;
+        }
+        cblas_dscal(r->n, 1 / sqrt(after), x, 1);
+        cblas_dscal(r->n, 1 / sqrt(after), column(r, r->y, j), 1);
+    }
+    return SW_OK;
 }
 
-/* x := (K + shift M)^-1 M x, turned to its Ritz vectors; y is lost. */
+/* x := (K + shift M)^-1 M x, turned to its Ritz vectors, the largest first. */
 static enum status iterate(struct run *r)
 {
     size_t size = (size_t)r->n * (size_t)r->p;
+    int p = r->p;
     enum status s;
 
-    multiply(r, r->x, r->y);
-    memcpy(r->x, r->y, size * sizeof *r->x);
-    s = sparse_solve(r->K, r->p, r->x);
+    memcpy(r->z, r->y, size * sizeof *r->z);
+    s = sparse_solve(r->K, p, r->z);
     if (s != SW_OK)
         return s;
-    project(r, r->x, r->y, r->A); /* y = (K + shift M) x */
-    multiply(r, r->x, r->y);
-    project(r, r->x, r->y, r->B);
-    s = dense_pencil(r->p, r->A, r->B, r->ritz);
+    cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, p, p, r->n, 1, r->y, r->n, r->z, r->n, 0,
+                r->C, p);
+    s = dense_symmetric(p, r->C, r->ritz);
     if (s != SW_OK)
-        return s == SW_NOMEM ? s : SW_INDEFINITE;
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, r->n, r->p, r->p, 1, r->x, r->n, r->A,
-                r->p, 0, r->y, r->n);
-    memcpy(r->x, r->y, size * sizeof *r->x);
-    return SW_OK;
+        return s;
+    for (int i = 0; i < p / 2; i++) { /* ascending to descending */
+        double swap = r->ritz[i];
+
+        r->ritz[i] = r->ritz[p - 1 - i];
+        r->ritz[p - 1 - i] = swap;
+        cblas_dswap(p, r->C + (size_t)(p * i), 1, r->C + (size_t)(p * (p - 1 - i)), 1);
+    }
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, r->n, p, p, 1, r->z, r->n, r->C, p, 0,
+                r->x, r->n);
+    return orthonormalize(r);
 }
 
 static int settled(const struct run *r)
@@ -159,7 +187,7 @@ static int settled(const struct run *r)
 static enum status check(struct run *r)
 {
     int below;
-    enum status s = factor(r, r->shift - r->ritz[r->k - 1] * (1 - APART), &below);
+    enum status s = factor(r, r->shift - (1 - APART) / r->ritz[r->k - 1], &below);
 
     if (s == SW_INDEFINITE)
         return SW_OK; /* on an eigenvalue: nothing to be learnt */
@@ -174,8 +202,10 @@ enum status subspace_lowest(struct sparse *K, const double *M, int k, double *la
 
     if (s == SW_OK)
         s = find_shift(&r);
-    if (s == SW_OK)
+    if (s == SW_OK) {
         start(&r);
+        s = orthonormalize(&r);
+    }
     while (s == SW_OK) {
         s = iterate(&r);
         if (s == SW_OK && settled(&r))
@@ -187,7 +217,7 @@ enum status subspace_lowest(struct sparse *K, const double *M, int k, double *la
     if (s == SW_OK)
         s = check(&r);
     for (int i = 0; i < k && s == SW_OK; i++)
-        lambda[i] = r.ritz[i] - r.shift;
+        lambda[i] = 1 / r.ritz[i] - r.shift;
     if (s == SW_OK)
         memcpy(x, r.x, (size_t)r.n * (size_t)k * sizeof *x);
     run_free(&r);
