@@ -203,16 +203,22 @@ enum status sparse_factor_signed(struct sparse *A, int *ret_negative)
         c->method[0].ordering = CHOLMOD_AMD;
     }
     s = factor(A);
+    A->least = INFINITY;
     for (int j = 0; j < A->n && s == SW_OK; j++) {
         const cholmod_factor *f = A->solver->factor;
         double D = ((const double *)f->x)[((const int *)f->p)[j]];
         int own = ((const int *)f->Perm)[j];
+        double part = fabs(D) / fabs(A->value[A->column[own]]);
 
         *ret_negative += D < 0;
-        if (!(fabs(D) > ROUNDING * fabs(A->value[A->column[own]]))) {
-            A->failed = own;
-            s = SW_INDEFINITE;
+        if (!(part >= A->least)) {
+            A->least = part;
+            A->weakest = own;
         }
+    }
+    if (s == SW_OK && !(A->least > ROUNDING)) {
+        A->failed = A->weakest;
+        s = SW_INDEFINITE;
     }
     return s;
 }

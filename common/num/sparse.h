@@ -21,7 +21,9 @@ struct sparse {
     int *row;      /* (entries) ascending within a column */
     double *value; /* (entries) */
     struct sparse_solver *solver;
-    int failed; /* column at which the last factorization stopped */
+    int failed;   /* column at which the last factorization stopped, or */
+    double least; /* smallest pivot of sparse_factor_signed over its diagonal entry, */
+    int weakest;  /* in this column */
 };
 
 /* A place (row, column) of a matrix. */

@@ -14,6 +14,7 @@
 #define GROW 1.6        /* of a step that took few iterations */
 #define MOST 4          /* times the first step */
 #define EASY 6          /* iterations */
+#define WEAK 1e-10      /* pivot over its diagonal entry at a start that leads nowhere */
 #define FINE 1e-10      /* width of the bracket of a critical time */
 
 /* What one path works on. */
@@ -416,6 +417,10 @@ enum status follow(const struct frame *f, const struct follow_options *o, struct
     k.own.arc = o->arc;
     if (status == SW_OK && o->arc && isnan(ret->critical))
         status = by_arc(&k, f->stages);
+    if (status == SW_NOCONV && ret->n == 1 && w->K.least < WEAK) {
+        ret->failed_node = frame_node_of(f, w, w->K.weakest);
+        status = SW_INDEFINITE;
+    }
     walk_free(&k);
     return status;
 }

@@ -3,8 +3,11 @@
 #include "num/vec3.h"
 #include "phys/follow.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define BALANCE 1e-4 /* of the largest force: what is left of a hundred thousand elements */
 
 /* Work arrays. */
 struct parts {
@@ -53,6 +56,22 @@ static enum status solve(const struct frame *f, struct frame_state *s, struct fr
     return status == SW_OK ? sparse_solve(&w->K, 1, p->dx) : status;
 }
 
+/* Whether free nodes are in balance: where nothing holds, displacements are rounding blown up. */
+static int is_solved(const struct frame *f, const struct frame_work *w, const struct parts *p)
+{
+    double most = 0, scale = 0;
+
+    for (int i = 0; i < 6 * f->n; i++) {
+        double open = w->open[i] + p->open[i];
+
+        scale = fmax(scale, fabs(p->open[i]));
+        most = w->dof[i] < 0 ? most : fmax(most, fabs(open));
+        if (w->dof[i] < 0)
+            scale = fmax(scale, fabs(open)); /* of moved supports */
+    }
+    return most <= BALANCE * scale;
+}
+
 enum status follow_linear(const struct frame *f, struct frame_state *s, struct frame_work *w,
                           int *failed_node)
 {
@@ -69,6 +88,10 @@ enum status follow_linear(const struct frame *f, struct frame_state *s, struct f
             if (w->dof[i] >= 0)
                 p.move[i] = p.dx[w->dof[i]];
         frame_evaluate(f, s, (struct frame_moves){p.move, p.dx}, w);
+        if (!is_solved(f, w, &p)) {
+            *failed_node = frame_node_of(f, w, w->K.weakest);
+            status = SW_INDEFINITE;
+        }
         for (int i = 0; i < 6 * f->n; i++)
             w->open[i] += p.open[i];
         for (int i = 0; i < 12 * f->beams; i++)
