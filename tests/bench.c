@@ -572,8 +572,10 @@ static double wire_time(int n)
         bow_between(f.node[i].x, f.node[i + 1].x, b->A[0], b->A[1], 0, 0, &bow);
         expect(beam_new(&bow, &section, &b->beam));
         if (i % 100 == 50)
-            f.load[f.loads++] = (struct frame_load){
-                .node = i, .beam = -1, .value = {0, i / 100 % 2 ? -12 : 12}, .stage = 1};
+            f.load[f.loads++] = (struct frame_load){.node = i,
+                                                    .beam = -1,
+                                                    .value = {0, i / 100 % 2 ? -12 : 12},
+                                                    .stage = 1};
     }
     expect(frame_state_new(&f, &s));
     expect(frame_work_new(&f, &w));

@@ -17,12 +17,12 @@
 struct run {
     struct sparse *K;
     const double *M;
-    double *own;   /* K's values */
-    int n, k, p;   /* p vectors are iterated */
-    double shift;  /* K + shift M is positive definite */
-    double *x, *y; /* (n, p) X^T M X = I, M X */
-    double *z;     /* (n, p) */
-    double *C;     /* (p, p) */
+    double *own;           /* K's values */
+    int n, k, p;           /* p vectors are iterated */
+    double shift;          /* K + shift M is positive definite */
+    double *x, *y;         /* (n, p) X^T M X = I, M X */
+    double *z;             /* (n, p) */
+    double *C;             /* (p, p) */
     double *ritz, *before; /* (p) eigenvalues of (K + shift M)^-1 M, descending */
 };
 

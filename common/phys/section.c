@@ -6,20 +6,22 @@
 #include <math.h>
 #include <string.h>
 
+#define ODD_FIFTH 1.0045237627951384 /* 1 + 1/3^5 + 1/5^5 + ... = 31/32 zeta(5) */
+
 /*
  * Long side a, short side b:  It = a b^3 [1/3 - (64/pi^5) (b/a) sum tanh(k pi a/2b)/k^5],
  * largest stress in the middle of the long side, (G twist) b [1 - (8/pi^2) sum 1/(k^2 cosh(k pi
- * a/2b))], k odd.  tanh = 1 to round-off beyond k a/b = 24.
+ * a/2b))], k odd.  1 - tanh and 1/cosh are nothing from k = 25 on.
  */
 double section_rectangle_torsion(double width, double height, double *ret_Wt)
 {
-    double a = fmax(width, height), b = fmin(width, height), sum = 0, top = 0, It;
+    double a = fmax(width, height), b = fmin(width, height), sum = ODD_FIFTH, top = 0, It;
 
-    for (int k = 1; k < 200; k += 2) { /* 1/200^5 is below round-off */
-        double x = k * PI * a / (2 * b);
+    for (int k = 1; k < 25; k += 2) {
+        double x = fmin(k * PI * a / (2 * b), 300);
 
-        sum += tanh(x) / pow(k, 5);
-        top += 1 / ((double)k * k * cosh(fmin(x, 700)));
+        sum -= 2 / ((exp(2 * x) + 1) * pow(k, 5));
+        top += 1 / ((double)k * k * cosh(x));
     }
     It = a * pow(b, 3) * (1.0 / 3 - 64 / pow(PI, 5) * (b / a) * sum);
     if (ret_Wt)
