@@ -2,7 +2,7 @@
 # wirebeam as an engineer meets it: tables in and out, sections, hinges, springs, methods, modes,
 # stability, refusals.
 . "$(dirname "$0")/../tap.sh"
-. "$(dirname "$0")/wiretap.sh"
+. "$(dirname "$0")/../wiretap.sh"
 cd "$scratch" || exit 1
 quarter quarter
 case=quarter/case.ini

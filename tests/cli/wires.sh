@@ -2,7 +2,7 @@
 # The generators of wires: each solved by wirebeam, against closed forms; a strand against the
 # classic formulas of wire rope.
 . "$(dirname "$0")/../tap.sh"
-. "$(dirname "$0")/wiretap.sh"
+. "$(dirname "$0")/../wiretap.sh"
 cd "$scratch" || exit 1
 
 for g in straight arc ring helix spiral strand; do

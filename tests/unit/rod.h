@@ -49,15 +49,21 @@ static inline void rod_new(struct rod *p, int n, struct section section, rod_cur
     assert_non_null(p->f.beam);
     assert_non_null(p->f.load);
     p->f.node[0].held = 63;
+    for (int i = 0; i <= n; i++) {
+        double A[9];
+
+        curve(i / (double)n, p->f.node[i].x, A);
+    }
     for (int i = 0; i < n; i++) {
         struct frame_beam *b = &p->f.beam[i];
         struct bow bow;
+        double x[3];
 
         b->a = i;
         b->b = i + 1;
         b->section = &p->section;
-        curve(i / (double)n, p->f.node[i].x, b->A[0]);
-        curve((i + 1) / (double)n * (1 - 1e-15), p->f.node[i + 1].x, b->A[1]);
+        curve(i / (double)n, x, b->A[0]);
+        curve((i + 1) / (double)n * (1 - 1e-15), x, b->A[1]);
         below(bow_between(p->f.node[i].x, p->f.node[i + 1].x, b->A[0], b->A[1], 0, 0, &bow),
               PI / 2);
         assert_int_equal(beam_new(&bow, &p->section, &b->beam), SW_OK);

@@ -111,7 +111,7 @@ static void signed_factor(void **state)
         place[k] = (struct place){k + 1, k};
     assert_int_equal(sparse_new(CHAIN, place, CHAIN - 1, at, &A), SW_OK);
     for (int below = 0; below <= CHAIN; below++) {
-        double shift = 2 - 2 * cos((below + 0.4) * PI / (CHAIN + 1)), x[CHAIN], b[CHAIN];
+        double shift = 2 - 2 * cos((below + 0.37) * PI / (CHAIN + 1)), x[CHAIN], b[CHAIN];
         int negative;
 
         for (int j = 0; j < CHAIN; j++)
