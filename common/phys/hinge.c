@@ -40,7 +40,7 @@ void hinge_move(const struct hinge *h, const double *dx, struct hinge_state *s)
 }
 
 /* Displacements and spins of the ends by the unknowns, T (12, n). */
-static int lay(const struct hinge h[2], double axis[2][3][3], double *T)
+static int lay(const struct hinge *h, double axis[2][3][3], double *T)
 {
     int n = 12 + h[0].n + h[1].n, column = 12;
 
@@ -53,7 +53,7 @@ static int lay(const struct hinge h[2], double axis[2][3][3], double *T)
     return n;
 }
 
-void hinge_ends(const struct hinge h[2], double axis[2][3][3], const double *du, double ret[12])
+void hinge_ends(const struct hinge *h, double axis[2][3][3], const double *du, double ret[12])
 {
     double T[12 * HINGED_MOST];
     int n = lay(h, axis, T);
@@ -90,7 +90,7 @@ static void turn_axes(const struct hinge *h, double axis[3][3], const double M[3
     }
 }
 
-int hinge_expand(const struct hinge h[2], double axis[2][3][3], const double f[12],
+int hinge_expand(const struct hinge *h, double axis[2][3][3], const double f[12],
                  const double K[144], double *ret_f, double *ret_K)
 {
     double T[12 * HINGED_MOST], KT[12 * HINGED_MOST];

@@ -24,15 +24,15 @@ void hinge_end(const struct hinge *h, const struct hinge_state *s, const double 
 /* Turn by the unknowns dx (n). */
 void hinge_move(const struct hinge *h, const double *dx, struct hinge_state *s);
 
-/* Displacements and spins (12) of the ends by those of the unknowns, du: nodes (12), hinges. */
-void hinge_ends(const struct hinge h[2], double axis[2][3][3], const double *du, double ret[12]);
+/* Displacements and spins (12) of the ends by those of the unknowns, du: nodes (12), hinges; h (2). */
+void hinge_ends(const struct hinge *h, double axis[2][3][3], const double *du, double ret[12]);
 
 /*
  * From forces f (12) and stiffness K (12, 12) of an element to those of its unknowns: 12 of the
  * nodes, then those of both hinges, n in all.  Returns n.
  */
 #define HINGED_MOST (12 + 2 * HINGE_MOST)
-int hinge_expand(const struct hinge h[2], double axis[2][3][3], const double f[12],
+int hinge_expand(const struct hinge *h, double axis[2][3][3], const double f[12],
                  const double K[144], double *ret_f, double *ret_K);
 
 #endif
