@@ -124,6 +124,9 @@ printf 'element,qz_N_m\n2,-1\n' >hinge/l.csv
 runs 0 'a hinge' wirebeam --method linear -d hinge/solved hinge/case.ini
 about "$(cell hinge/solved/nodes.csv a support_my_Nm)" -0.125 1e-9 'statics: q l/2 of the bar at the cantilever'
 about "$(cell hinge/solved/nodes.csv c support_z_N)" 0.25 1e-9 'and half at its support'
+awk -F, 'function m(x) { return sqrt(x*x) } $1 == 1 && $2 == 0.25 { a = m($5) + m($4) } $1 == 2 && $2 == 0.25 { b = m($5) + m($4) }
+    END { exit !(m(a - 0.0625) < 1e-9 && m(b - 0.03125) < 1e-9) }' hinge/solved/forces.csv
+ok $? 'moments in the middle of both: linear, and q l^2/8'
 sed -i 's/,xy$/,xq/' hinge/elements.csv
 runs 2 'a hinge of no axis' wirebeam hinge/case.ini
 says "hinge 'xq' is not made of x, y and t" 'is refused'

@@ -6,6 +6,7 @@
 #include "num/vec3.h"
 #include "phys/corotate.h"
 #include "phys/divide.h"
+#include "phys/hinge.h"
 
 #include <string.h>
 
@@ -350,6 +351,13 @@ static void straight_load_and_mass(void **state)
     beam_section(&bow, &run, (const double[]){0, 0, 3}, (const double[]){0, -1, 0}, q, force);
     near_abs(force[0], 0, 1e-15);
     near_rel(fabs(force[2]), 0.5, 1e-13);
+    { /* a load along it is tension at the clamp, linear */
+        const double pull[3] = {5, 0, 0};
+
+        beam_section(&bow, &run, (const double[]){-7, 0, 0}, (const double[]){0, 0, 0}, pull,
+                     force);
+        near_rel(force[0], 7 - 5, 1e-13);
+    }
     beam_mass(&b, &s, M);
     near_rel(M[2 + 12 * 2], 3.9 * 2 * 156 / 420, 1e-13);
     near_rel(M[2 + 12 * 8], 3.9 * 2 * 54 / 420, 1e-13);
@@ -505,8 +513,105 @@ static void twisted_pieces(void **state)
     }
 }
 
+/* Forces by all unknowns of an element with hinges, where they are. */
+struct hinged {
+    struct corotate e;
+    struct hinge h[2];
+    struct hinge_state s[2];
+    double x[2][3], q[2][4];
+};
+
+static int hinged_forces(const struct hinged *p, double *f, double *K, double M[2][3])
+{
+    struct corotated here;
+    double end[2][4], axis[2][3][3], dense[144];
+    const double d[3] = {p->x[0][0] - p->x[1][0], p->x[0][1] - p->x[1][1], p->x[0][2] - p->x[1][2]};
+
+    for (int k = 0; k < 2; k++)
+        hinge_end(&p->h[k], &p->s[k], p->q[k], end[k], axis[k]);
+    corotate(&p->e, d, end[0], end[1], NULL, NULL, &here, dense);
+    memcpy(M[0], here.force + 3, sizeof M[0]);
+    memcpy(M[1], here.force + 9, sizeof M[1]);
+    return hinge_expand(p->h, axis, here.force, dense, f, K);
+}
+
+/* Move unknown j by step. */
+static void hinged_move(struct hinged *p, int j, double step)
+{
+    if (j < 12 && j % 6 < 3) {
+        p->x[j / 6][j % 6] += step;
+    } else if (j < 12) {
+        double spin[3] = {0}, q[4];
+
+        spin[j % 6 - 3] = step;
+        quat_exp(spin, q);
+        quat_multiply(q, p->q[j / 6], p->q[j / 6]);
+    } else {
+        double dx[3] = {0};
+        int end = j - 12 >= p->h[0].n;
+
+        dx[j - 12 - (end ? p->h[0].n : 0)] = step;
+        hinge_move(&p->h[end], dx, &p->s[end]);
+    }
+}
+
+/* The stiffness of an element with hinges of all kinds, far turned, is the derivative of its forces
+ * but for -1/2 of the moment's spin where rotations are free in space: at nodes, at ball joints. */
+static void hinges_by_differences(void **state)
+{
+    struct section s = values();
+    const double h = 1e-5;
+    uint64_t u = 23;
+
+    (void)state;
+    for (int k = 0; k < 160; k++) {
+        struct beam b;
+        struct hinged p;
+        double f[HINGED_MOST], g[2][HINGED_MOST], K[HINGED_MOST * HINGED_MOST], M[2][3], v[3];
+        double junk[HINGED_MOST * HINGED_MOST], none[2][3], largest = 0;
+        int n;
+
+        memset(&p, 0, sizeof p);
+        random_beam(&u, &s, &b, p.x);
+        p.e = corotate_beam(&b);
+        for (int end = 0; end < 2; end++) {
+            p.h[end].n = (end ? k / 4 : k) % 4;
+            memcpy(p.h[end].axis[0], b.bow.B, 3 * sizeof *v);
+            memcpy(p.h[end].axis[1], b.bow.B + 3, 3 * sizeof *v);
+            p.s[end].angle[0] = uniform_in(&u, -1, 1);
+            p.s[end].angle[1] = uniform_in(&u, -1, 1);
+            random_vector(&u, 0.6, v);
+            quat_exp(v, p.s[end].q);
+            random_vector(&u, 0.4, v);
+            quat_exp(v, p.q[end]);
+        }
+        n = hinged_forces(&p, f, K, M);
+        for (int end = 0, first = 12; end < 2; first += p.h[end++].n) {
+            double spin[9];
+            int at = p.h[end].n == 3 ? first : 6 * end + 3;
+
+            mat3_skew(M[end], spin);
+            for (int i = 0; i < 9; i++)
+                K[at + i / 3 + n * (at + i % 3)] -= spin[i] / 2;
+        }
+        for (int i = 0; i < n * n; i++)
+            largest = fmax(largest, fabs(K[i]));
+        for (int j = 0; j < n; j++) {
+            for (int side = 0; side < 2; side++) {
+                struct hinged moved = p;
+
+                hinged_move(&moved, j, side ? h : -h);
+                hinged_forces(&moved, g[side], junk, none);
+            }
+            for (int i = 0; i < n; i++)
+                near_abs((g[1][i] - g[0][i]) / (2 * h), K[i + n * j], 3e-8 * largest);
+        }
+    }
+}
+
 TEST_MAIN(cmocka_unit_test(keeps_end_frames), cmocka_unit_test(straight_is_bernoulli),
           cmocka_unit_test(free_element), cmocka_unit_test(objective),
           cmocka_unit_test(natural_state), cmocka_unit_test(straight_load_and_mass),
           cmocka_unit_test(rigid_mass), cmocka_unit_test(section_forces_in_balance),
-          cmocka_unit_test(twisted_pieces), cmocka_unit_test(strain_energy_gradient))
+          cmocka_unit_test(twisted_pieces), cmocka_unit_test(strain_energy_gradient),
+          cmocka_unit_test(hinges_by_differences))
