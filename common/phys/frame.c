@@ -367,10 +367,11 @@ void frame_evaluate(const struct frame *f, const struct frame_state *s, struct f
     memset(w->right, 0, (size_t)w->unknowns * sizeof *w->right);
     w->force = w->moment = w->angle = w->energy = 0;
     for (int i = 0; i < 6 * f->n; i++) {
-        double size = fabs(w->load[i]);
-
         w->open[i] = -w->load[i];
-        *(i % 6 < 3 ? &w->force : &w->moment) = fmax(i % 6 < 3 ? w->force : w->moment, size);
+        if (i % 6 < 3)
+            w->force = fmax(w->force, fabs(w->load[i]));
+        else
+            w->moment = fmax(w->moment, fabs(w->load[i]));
     }
     for (int i = 0; i < f->beams; i++)
         evaluate_beam(f, s, i, moves, &at, w);
@@ -396,6 +397,18 @@ double frame_residual(const struct frame *f, const struct frame_work *w, double 
             if (!(fabs(w->right[w->first[i] + j]) / moment <= most))
                 most = fabs(w->right[w->first[i] + j]) / moment;
     return most;
+}
+
+void frame_measure(const struct frame *f, struct frame_work *w)
+{
+    w->force = w->moment = 0;
+    for (int i = 0; i < f->beams; i++)
+        measure(w->end + 12 * i, w);
+    for (int i = 0; i < 6 * f->n; i++)
+        if (i % 6 < 3)
+            w->force = fmax(w->force, fabs(w->load[i]));
+        else
+            w->moment = fmax(w->moment, fabs(w->load[i]));
 }
 
 enum status frame_factorize(struct frame_work *w)

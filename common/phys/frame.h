@@ -124,6 +124,9 @@ void frame_foresee(const struct frame *f, const struct frame_state *s, struct fr
  */
 double frame_residual(const struct frame *f, const struct frame_work *w, double tolerance);
 
+/* The largest force and moment of end forces and loads, as they stand in w. */
+void frame_measure(const struct frame *f, struct frame_work *w);
+
 /* K = L D L^T and its negative pivots.  SW_INDEFINITE: K is singular; SW_NOMEM. */
 enum status frame_factorize(struct frame_work *w);
 

@@ -99,6 +99,8 @@ enum status follow_linear(const struct frame *f, struct frame_state *s, struct f
         for (int i = 0; i < 6 * f->n; i++)
             (i % 6 < 3 ? s->x : s->turn)[3 * (i / 6) + i % 3] += p.move[i];
         s->t = f->stages;
+        frame_set_loads(f, f->stages, w);
+        frame_measure(f, w);
     }
     parts_free(&p);
     return status;

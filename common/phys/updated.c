@@ -254,6 +254,7 @@ enum status updated(const struct frame *f, const struct follow_options *o, struc
     if (status == SW_OK) {
         status = end_forces(&k);
         sum_ends(f, w);
+        frame_measure(f, w);
     }
     if (status == SW_INDEFINITE)
         ret->failed_node = frame_node_of(f, w, w->K.failed);

@@ -13,6 +13,7 @@ header out 'node,x_m,y_m,z_m,ux_m,uy_m,uz_m,rx_rad,ry_rad,rz_rad,load_x_N,load_y
 about "$(cell out tip uz_m)" "$(awk 'BEGIN { pi = atan2(0, -1); print 0.01*(pi/4 + (3*pi/4 - 2)/0.77) }')" \
     0.01 'a quarter ring of two elements is within 1 %'
 about "$(cell out foot support_z_N)" -0.01 1e-10 'its reaction'
+about "$(cell out tip load_z_N)" 0.01 0 'its load'
 about "$(cell out foot support_mx_Nm)" -0.01 1e-9 'the moments of the clamp ...'
 about "$(cell out foot support_my_Nm)" 0.01 1e-9 '... are force times lever'
 runs 0 'in equilibrium' wirebeam $case
@@ -65,6 +66,7 @@ printf 'node,fz_N\nb,1e-4\n' >half/loads.csv
 runs 0 'one long bow' wirebeam --method linear -d half/solved --set solve.largest_angle=12 half/case.ini
 [ "$(value half/solved/summary.csv pieces)" = 8 ] && [ "$(wc -l <half/solved/nodes.csv)" -eq 3 ]
 ok $? 'is divided; the table of nodes has its own'
+about "$(value half/solved/summary.csv largest_force_N)" 1e-4 1e-6 'its largest force is the load'
 about "$(value half/solved/summary.csv length_m)" 2.9 1e-4 'its length is the arc'
 about "$(cell half/solved/nodes.csv b uz_m)" "$(awk 'BEGIN { b = 2.9
     print 1e-4*((b/2 - sin(2*b)/4) + (1.5*b - 2*sin(b) + sin(2*b)/4)/0.77) }')" 1e-3 'and moves as one'
