@@ -95,6 +95,10 @@ void frame_state_copy(const struct frame *f, const struct frame_state *from,
 enum status frame_work_new(const struct frame *f, struct frame_work *ret);
 void frame_work_free(struct frame_work *w);
 
+/* The unknowns of beam i, or of the spring i - beams, as hinge_expand orders them: to
+ * (HINGED_MOST), -1: held.  Returns their number. */
+int frame_unknowns(const struct frame *f, const struct frame_work *w, int i, int *to);
+
 /* Loads at time t, to load and q. */
 void frame_set_loads(const struct frame *f, double t, struct frame_work *w);
 
