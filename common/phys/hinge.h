@@ -24,7 +24,7 @@ void hinge_end(const struct hinge *h, const struct hinge_state *s, const double 
 /* Turn by the unknowns dx (n). */
 void hinge_move(const struct hinge *h, const double *dx, struct hinge_state *s);
 
-/* Displacements and spins (12) of the ends by those of the unknowns, du: nodes (12), hinges; h (2). */
+/* Displacements and spins (12) of the ends by those of the unknowns, du: nodes (12), hinges. */
 void hinge_ends(const struct hinge *h, double axis[2][3][3], const double *du, double ret[12]);
 
 /*
