@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WEAK 1e-10 /* pivot over its diagonal entry at a start that leads nowhere */
+#define SHORT (1.0 / 65536) /* of the first step: what lies behind is taken as it is */
+#define WEAK 1e-10        /* pivot over its diagonal entry at a start that leads nowhere */
 
 void follow_path_free(struct follow_path *p)
 {
@@ -215,31 +216,41 @@ static enum status find_critical(struct walk *k, double hi)
     return s;
 }
 
+/*
+ * Where more pivots are negative than before, a short step may still find a stable branch that a
+ * long one has jumped over: of imperfect columns and arches.
+ */
+static int jumped(const struct walk *k, int before, double step)
+{
+    return !k->o->critical && k->w->negative > before && step > SHORT / k->o->parts;
+}
+
 static enum status by_load(struct walk *k, double end)
 {
     double step = 1.0 / k->o->parts;
     enum status s = SW_OK;
 
     while (s == SW_OK && k->s->t < end - 1e-12 && isnan(k->path->critical)) {
-        double t = fmin(k->s->t + step, end);
+        double t = k->s->t + step > end - 0.1 * step ? end : k->s->t + step;
         int before = k->w->negative;
 
-        if (t > end - 0.1 * step)
-            t = end;
         if (k->path->n > k->o->steps)
             return SW_NOCONV;
         s = walk_by_load(k, t);
-        if (s == SW_NOCONV) {
+        if (s == SW_OK && jumped(k, before, step)) {
+            s = walk_back(k);
+            step /= 4;
+        } else if (s == SW_NOCONV) {
             step /= 2;
             s = step < WALK_SMALLEST ? SW_NOCONV : SW_OK;
         } else if (s == SW_OK) {
-            int easy = k->iterations <= WALK_EASY;
-
             if (k->o->critical && k->w->negative > before)
                 s = find_critical(k, t);
             if (s == SW_OK)
                 s = walk_record(k);
-            step *= easy ? WALK_GROW : k->iterations > 2 * WALK_EASY ? 0.7 : 1;
+            step *= k->iterations <= WALK_EASY      ? WALK_GROW
+                    : k->iterations > 2 * WALK_EASY ? 0.7
+                                                    : 1;
             step = fmin(step, (double)WALK_MOST / k->o->parts);
         }
     }

@@ -120,6 +120,39 @@ static void euler_elastica(void **state)
     }
 }
 
+/* A column far beyond its buckling load, with next to nothing across: long steps must not stay on
+ * the straight, unstable branch.  Euler's elastica: K(k) = sqrt(P), tip at 2 E(k)/K(k) - 1 along
+ * and 2 k/K(k) across. */
+static void buckled_column(void **state)
+{
+    const double P = 20;
+    double low = 0.5, high = 1 - 1e-12, at[2][2];
+
+    (void)state;
+    for (int i = 0; i < 100; i++) {
+        double k = (low + high) / 2;
+
+        if (elliptic(0, PI / 2, k, 0) < sqrt(P))
+            low = k;
+        else
+            high = k;
+    }
+    for (int m = 0; m < 2; m++) {
+        int n = 64 << m;
+        struct rod p;
+
+        rod_new(&p, n, rod_section(1e9, 1, 1, 1), line);
+        rod_load(&p, n, 1, (double[6]){-P, 1e-3, 0});
+        rod_solve(&p, 5);
+        assert_int_equal(p.w.negative, 0);
+        at[m][0] = p.s.x[3 * n];
+        at[m][1] = p.s.x[3 * n + 1];
+        rod_free(&p);
+    }
+    near_abs((4 * at[1][0] - at[0][0]) / 3, 2 * elliptic(0, PI / 2, low, 1) / sqrt(P) - 1, 1e-4);
+    near_abs((4 * at[1][1] - at[0][1]) / 3, 2 * low / sqrt(P), 1e-4); /* the push: 5e-5 P */
+}
+
 /* Rolled up by an end moment 2 pi EI/L: a full circle, from the clamp back to it. */
 static void rolled_up(void **state)
 {
@@ -613,8 +646,9 @@ static void turning_hinges(void **state)
     }
 }
 
-TEST_MAIN(cmocka_unit_test(euler_elastica), cmocka_unit_test(rolled_up),
-          cmocka_unit_test(arc_of_45_degrees), cmocka_unit_test(helical_roll_up),
-          cmocka_unit_test(path_independent), cmocka_unit_test(work_is_energy),
-          cmocka_unit_test(deep_arch), cmocka_unit_test(lees_frame), cmocka_unit_test(twisted_rod),
+TEST_MAIN(cmocka_unit_test(euler_elastica), cmocka_unit_test(buckled_column),
+          cmocka_unit_test(rolled_up), cmocka_unit_test(arc_of_45_degrees),
+          cmocka_unit_test(helical_roll_up), cmocka_unit_test(path_independent),
+          cmocka_unit_test(work_is_energy), cmocka_unit_test(deep_arch),
+          cmocka_unit_test(lees_frame), cmocka_unit_test(twisted_rod),
           cmocka_unit_test(documents_iteration), cmocka_unit_test(turning_hinges))
