@@ -10,6 +10,7 @@ struct corotate corotate_beam(const struct beam *b)
     return (struct corotate){.B = b->bow.B,
                              .K = b->K,
                              .D = {0, 0, -b->bow.Lz},
+                             .chord = 1,
                              .spread = b->spread,
                              .S = b->S,
                              .length = b->length};
@@ -53,12 +54,24 @@ struct place_of {
     double r[3];              /* end 1 - end 2 in element axes */
     double ql[3];             /* load in element axes */
     double f[6];              /* forces at end 1 */
+    double H[9], g[3];        /* strain by r, dh = H dr; H^T f1, the force on end 1 */
     double y[3];              /* where the load acts */
     double m[3], mw[3], n[3]; /* moments that turn all, that bend, and half the difference */
     struct turning by;
 };
 
-/* f1 = K (deformation - that of the load). */
+/* H = I, but for the chord, whose strain is h_z = -|r|: its row is -r/|r|. */
+static void strain_by_place(const struct corotate *e, struct place_of *p)
+{
+    double size = vec3_length(p->r);
+
+    memset(p->H, 0, sizeof p->H);
+    p->H[0] = p->H[4] = p->H[8] = 1;
+    for (int i = 0; i < 3 && e->chord; i++)
+        p->H[6 + i] = -p->r[i] / size;
+}
+
+/* f = K (deformation - that of the load). */
 static void stretch(const struct corotate *e, const double *q, struct place_of *p,
                     struct corotated *ret)
 {
@@ -66,7 +79,9 @@ static void stretch(const struct corotate *e, const double *q, struct place_of *
 
     vec3_cross(p->w, e->D, spin);
     for (int i = 0; i < 3; i++) {
-        ret->deform[i] = own[i] = p->r[i] - e->D[i] + spin[i];
+        double h = e->chord && i == 2 ? -vec3_length(p->r) : p->r[i];
+
+        ret->deform[i] = own[i] = h - e->D[i] + spin[i];
         ret->deform[3 + i] = own[3 + i] = 2 * p->w[i];
     }
     if (q)
@@ -95,13 +110,14 @@ static void hang(const struct corotate *e, struct place_of *p)
     }
 }
 
-/* m = f1 x r + q x y,  mw = 2 f2 + D x f1 + S x q,
+/* g = H^T f1,  m = g x r + q x y,  mw = 2 f2 + D x f1 + S x q,
  * n = [t mw + h w (w.mw)]/2 - (g/2) m x w */
 static void turn_moments(const struct corotate *e, const double *q, struct place_of *p)
 {
     double cross[3], along;
 
-    vec3_cross(p->f, p->r, p->m);
+    mat3_apply_t(p->H, p->f, p->g);
+    vec3_cross(p->g, p->r, p->m);
     vec3_cross(e->D, p->f, p->mw);
     vec3_add(2, p->f + 3, p->mw);
     if (q) {
@@ -126,7 +142,7 @@ static void hold_ends(const struct corotate *e, const double *q, const struct pl
         first[i] = p->m[i] / 2 + p->n[i];
         second[i] = p->m[i] / 2 - p->n[i];
     }
-    mat3_apply(ret->G, p->f, ret->force);
+    mat3_apply(ret->G, p->g, ret->force);
     mat3_apply(ret->G, first, ret->force + 3);
     mat3_apply(ret->G, second, ret->force + 9);
     for (int i = 0; i < 3; i++)
@@ -137,7 +153,7 @@ static void hold_ends(const struct corotate *e, const double *q, const struct pl
  * The tangent, by blocks of u (displacement of end 1 against end 2), s = (a1 + a2)/2 and
  * d = a1 - a2 (spins), all in element axes:
  *     dw = P d,  frame's spin a = s + A d,  dr = u - a x r,  P = (t I + h w w^T)/2,  A = -(g/2) w^
- *     (f1, m, n) = J^T f,  J = [[I; 0], Y, Y A + Z],  Y = [r^; 0] - spread q^,  Z = [-D^ P; 2 P]
+ *     (g, m, n) = J^T f,  J = [[H; 0], Y, Y A + Z],  Y = [H r^; 0] - spread q^,  Z = [-D^ P; 2 P]
  * K = J^T K J + derivative of J^T and of the axes.
  */
 struct blocks {
@@ -158,7 +174,8 @@ static void kinematics(const struct corotate *e, const double *q, const struct p
         k->Z[1][i] = 2 * k->P[i];
         k->Y[1][i] = 0;
     }
-    mat3_skew(p->r, k->Y[0]);
+    mat3_skew(p->r, skew);
+    mat3_multiply(p->H, skew, k->Y[0]);
     mat3_skew(e->D, skew);
     mat3_multiply(skew, k->P, k->Z[0]);
     for (int i = 0; i < 9; i++)
@@ -183,7 +200,7 @@ static void kinematics(const struct corotate *e, const double *q, const struct p
 }
 
 /* J^T K J */
-static void material(const double K6[36], struct blocks *k)
+static void material(const double K6[36], const double H[9], struct blocks *k)
 {
     double K[2][2][9], KY[2][9], KZ[2][9], part[9];
 
@@ -199,9 +216,10 @@ static void material(const double K6[36], struct blocks *k)
         mat3_multiply(K[a][1], k->Z[1], part);
         mat3_add(1, part, KZ[a]);
     }
-    memcpy(k->uu, K[0][0], sizeof k->uu);
-    memcpy(k->us, KY[0], sizeof k->us);
-    memcpy(k->ud, KZ[0], sizeof k->ud);
+    mat3_multiply(K[0][0], H, part);
+    mat3_multiply_tn(H, part, k->uu);
+    mat3_multiply_tn(H, KY[0], k->us);
+    mat3_multiply_tn(H, KZ[0], k->ud);
     mat3_multiply_tn(k->Y[0], KY[0], k->ss);
     mat3_multiply_tn(k->Y[1], KY[1], part);
     mat3_add(1, part, k->ss);
@@ -231,13 +249,36 @@ static void bend_further(const struct place_of *p, double D[9])
     }
 }
 
+/* The derivative of H: the string's stiffness Q = -f_z (I - r r^T/|r|^2)/|r| on dr = u + r^ (s + A
+ * d).
+ */
+static void string(const struct place_of *p, struct blocks *k)
+{
+    double size = vec3_length(p->r), Q[9], R[9], QR[9], RQR[9], part[9];
+
+    for (int i = 0; i < 9; i++)
+        Q[i] = -p->f[2] / size * ((i % 4 == 0) - p->r[i / 3] * p->r[i % 3] / (size * size));
+    mat3_skew(p->r, R);
+    mat3_multiply(Q, R, QR);
+    mat3_multiply_tn(R, QR, RQR);
+    mat3_add(1, Q, k->uu);
+    mat3_add(1, QR, k->us);
+    mat3_multiply(QR, k->A, part);
+    mat3_add(1, part, k->ud);
+    mat3_add(1, RQR, k->ss);
+    mat3_multiply(RQR, k->A, part);
+    mat3_add(1, part, k->sd);
+    mat3_multiply_tn(k->A, part, R);
+    mat3_add(1, R, k->dd);
+}
+
 /* The derivatives of J^T and of the axes at fixed f; halves of what stands on both sides. */
 static void geometric(const struct corotate *e, const double *q, const struct place_of *p,
                       struct blocks *k)
 {
     double F[9], M[9], N[9], R[9], X[9], QS[9] = {0}, SQ[9] = {0}, V[9], part[9], sd[9], ds[9];
 
-    mat3_skew(p->f, F);
+    mat3_skew(p->g, F);
     mat3_skew(p->m, M);
     mat3_skew(p->n, N);
     mat3_skew(p->r, R);
@@ -343,6 +384,7 @@ static void find_place(const struct corotate *e, const double d[3], const double
     ret->angle = vec3_length(theta);
     if (q)
         mat3_apply_t(ret->G, q, p->ql);
+    strain_by_place(e, p);
     stretch(e, q, p, ret);
 }
 
@@ -366,12 +408,14 @@ void corotate(const struct corotate *e, const double d[3], const double q1[4], c
         struct blocks k;
 
         kinematics(e, q, &p, &k);
-        material(e->K, &k);
+        material(e->K, p.H, &k);
         if (guess) {
             memcpy(p.f, guess, sizeof p.f);
             turn_moments(e, q, &p);
         }
         geometric(e, q, &p, &k);
+        if (e->chord)
+            string(&p, &k);
         spread_out(ret->G, &k, K);
     }
 }
@@ -390,7 +434,8 @@ void corotate_foresee(const struct corotate *e, const double d[3], const double 
     kinematics(e, q, &p, &k);
     for (int i = 0; i < 3; i++)
         u[i] = du[i] - du[6 + i];
-    mat3_apply_t(here.G, u, strain);
+    mat3_apply_t(here.G, u, a[0]);
+    mat3_apply(p.H, a[0], strain);
     memset(strain + 3, 0, 3 * sizeof *strain);
     mat3_apply_t(here.G, du + 3, a[0]);
     mat3_apply_t(here.G, du + 9, a[1]);
