@@ -27,6 +27,7 @@ static const struct key keys[] = {
     {"solve", "most_steps", WHOLE, AT(most_steps), 1, 1, 1, 1e7, NULL, "1000"},
     {"solve", "iterations", WHOLE, AT(iterations), 1, 1, 1, 1000, NULL, "20"},
     {"solve", "tolerance", NUMBERS, AT(tolerance), 1, 1, 1e-14, 1e-3, NULL, "1e-10"},
+    {"solve", "element_loads", WORD, AT(lumped), 1, 1, 0, 0, "consistent lumped", "consistent"},
     {"solve", "critical", WORD, AT(critical), 1, 1, 0, 0, "no yes", "no"},
     {"solve", "divide", WORD, AT(divide), 1, 1, 0, 0, "no yes", "yes"},
     {"solve", "largest_angle", NUMBERS, AT(largest_angle), 1, 1, 0.1, 85, NULL, "30"},
@@ -367,7 +368,7 @@ enum status wire_load(const char *path, const struct wire_case *c, struct wire *
     struct sheet_index index[3] = {{NULL, 0}};
     enum status s;
 
-    *ret = (struct wire){.c = *c, .frame.stages = 1, .watch = -1};
+    *ret = (struct wire){.c = *c, .frame.stages = 1, .frame.lumped = c->lumped, .watch = -1};
     s = read_tables(path, ret, why);
     if (s == SW_OK)
         s = take_tables(ret, index, why);

@@ -21,6 +21,7 @@ struct wire_case {
     int method, path; /* enum wire_method, wire_path */
     int steps, most_steps, iterations;
     double tolerance;
+    int lumped;           /* consistent, lumped */
     int critical, divide; /* no, yes */
     double largest_angle; /* [deg] */
     char watch[KEYS_TEXT_BYTES];

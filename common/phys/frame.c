@@ -154,6 +154,21 @@ void frame_work_free(struct frame_work *w)
     *w = (struct frame_work){.dof = NULL};
 }
 
+/* A load of a beam: kept for the element, or halved to its nodes. */
+static void load_beam(const struct frame *f, const struct frame_load *l, double part,
+                      struct frame_work *w)
+{
+    const struct frame_beam *b = &f->beam[l->beam];
+
+    for (int c = 0; c < 3; c++)
+        if (f->lumped) {
+            w->load[6 * b->a + c] += part * b->beam.length / 2 * l->value[c];
+            w->load[6 * b->b + c] += part * b->beam.length / 2 * l->value[c];
+        } else {
+            w->q[3 * l->beam + c] += part * l->value[c];
+        }
+}
+
 void frame_set_loads(const struct frame *f, double t, struct frame_work *w)
 {
     memset(w->load, 0, 6 * (size_t)f->n * sizeof *w->load);
@@ -162,9 +177,10 @@ void frame_set_loads(const struct frame *f, double t, struct frame_work *w)
         const struct frame_load *l = &f->load[k];
         double part = frame_factor(f, l->stage, t);
 
-        for (int c = 0; c < (l->node >= 0 ? 6 : 3); c++)
-            *(l->node >= 0 ? &w->load[6 * l->node + c] : &w->q[3 * l->beam + c]) +=
-                part * l->value[c];
+        if (l->node < 0)
+            load_beam(f, l, part, w);
+        for (int c = 0; c < 6 && l->node >= 0; c++)
+            w->load[6 * l->node + c] += part * l->value[c];
     }
 }
 

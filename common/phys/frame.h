@@ -43,6 +43,7 @@ struct frame_load {
 
 struct frame {
     int n, beams, springs, loads, stages;
+    int lumped; /* whether loads of beams go to their nodes, half each, without moments */
     int arc; /* path by arc length: the factor of the last stage is not kept within, others are 1 */
     struct frame_node *node;
     struct frame_beam *beam;
