@@ -54,21 +54,36 @@ struct place_of {
     double r[3];              /* end 1 - end 2 in element axes */
     double ql[3];             /* load in element axes */
     double f[6];              /* forces at end 1 */
-    double H[9], g[3];        /* strain by r, dh = H dr; H^T f1, the force on end 1 */
+    double H[9], hz, g[3];    /* strain h by r, dh = H dr; H^T f1, the force on end 1 */
+    double L, bend[3];        /* chord; dh_z/dw */
     double y[3];              /* where the load acts */
     double m[3], mw[3], n[3]; /* moments that turn all, that bend, and half the difference */
     struct turning by;
 };
 
-/* H = I, but for the chord, whose strain is h_z = -|r|: its row is -r/|r|. */
+/*
+ * H = I, but for the chord.  Its strain is that of the bent axis between the ends,
+ *     h_z = -|r| - L (rho/10 + (w_x^2 + w_y^2)/6),  rho = (r_x^2 + r_y^2)/|r|^2,
+ * the length that a cubic with end slopes s + w, s - w has beyond its chord, s^2 = rho.
+ */
 static void strain_by_place(const struct corotate *e, struct place_of *p)
 {
-    double size = vec3_length(p->r);
+    double size = vec3_length(p->r), along = p->r[2] / size;
 
     memset(p->H, 0, sizeof p->H);
     p->H[0] = p->H[4] = p->H[8] = 1;
-    for (int i = 0; i < 3 && e->chord; i++)
-        p->H[6 + i] = -p->r[i] / size;
+    p->hz = p->r[2];
+    memset(p->bend, 0, sizeof p->bend);
+    if (!e->chord)
+        return;
+    p->L = -e->D[2];
+    p->hz = -size - p->L * ((p->r[0] * p->r[0] + p->r[1] * p->r[1]) / (10 * size * size) +
+                            (p->w[0] * p->w[0] + p->w[1] * p->w[1]) / 6);
+    for (int i = 0; i < 3; i++) /* d rho = 2 along (along r/|r| - e_z) dr/|r| */
+        p->H[6 + i] =
+            -p->r[i] / size - p->L / 5 * along / size * (along * p->r[i] / size - (i == 2));
+    for (int i = 0; i < 2; i++)
+        p->bend[i] = -p->L / 3 * p->w[i];
 }
 
 /* f = K (deformation - that of the load). */
@@ -79,7 +94,7 @@ static void stretch(const struct corotate *e, const double *q, struct place_of *
 
     vec3_cross(p->w, e->D, spin);
     for (int i = 0; i < 3; i++) {
-        double h = e->chord && i == 2 ? -vec3_length(p->r) : p->r[i];
+        double h = i == 2 ? p->hz : p->r[i];
 
         ret->deform[i] = own[i] = h - e->D[i] + spin[i];
         ret->deform[3 + i] = own[3 + i] = 2 * p->w[i];
@@ -110,7 +125,7 @@ static void hang(const struct corotate *e, struct place_of *p)
     }
 }
 
-/* g = H^T f1,  m = g x r + q x y,  mw = 2 f2 + D x f1 + S x q,
+/* g = H^T f1,  m = g x r + q x y,  mw = 2 f2 + D x f1 + f_z bend + S x q,
  * n = [t mw + h w (w.mw)]/2 - (g/2) m x w */
 static void turn_moments(const struct corotate *e, const double *q, struct place_of *p)
 {
@@ -120,6 +135,7 @@ static void turn_moments(const struct corotate *e, const double *q, struct place
     vec3_cross(p->g, p->r, p->m);
     vec3_cross(e->D, p->f, p->mw);
     vec3_add(2, p->f + 3, p->mw);
+    vec3_add(p->f[2], p->bend, p->mw);
     if (q) {
         hang(e, p);
         vec3_cross(p->ql, p->y, cross);
@@ -153,8 +169,8 @@ static void hold_ends(const struct corotate *e, const double *q, const struct pl
  * The tangent, by blocks of u (displacement of end 1 against end 2), s = (a1 + a2)/2 and
  * d = a1 - a2 (spins), all in element axes:
  *     dw = P d,  frame's spin a = s + A d,  dr = u - a x r,  P = (t I + h w w^T)/2,  A = -(g/2) w^
- *     (g, m, n) = J^T f,  J = [[H; 0], Y, Y A + Z],  Y = [H r^; 0] - spread q^,  Z = [-D^ P; 2 P]
- * K = J^T K J + derivative of J^T and of the axes.
+ *     (g, m, n) = J^T f,  J = [[H; 0], Y, Y A + Z],  Y = [H r^; 0] - spread q^,  Z = [(e_z bend^T -
+ * D^) P; 2 P] K = J^T K J + derivative of J^T and of the axes.
  */
 struct blocks {
     double P[9], A[9], W[9];
@@ -180,6 +196,8 @@ static void kinematics(const struct corotate *e, const double *q, const struct p
     mat3_multiply(skew, k->P, k->Z[0]);
     for (int i = 0; i < 9; i++)
         k->Z[0][i] = -k->Z[0][i];
+    for (int i = 0; i < 3; i++)
+        k->Z[0][6 + i] += p->bend[0] * k->P[i] + p->bend[1] * k->P[3 + i];
     if (q) {
         mat3_skew(p->ql, skew);
         for (int half = 0; half < 2; half++) {
@@ -249,15 +267,27 @@ static void bend_further(const struct place_of *p, double D[9])
     }
 }
 
-/* The derivative of H: the string's stiffness Q = -f_z (I - r r^T/|r|^2)/|r| on dr = u + r^ (s + A
- * d).
+/*
+ * The second derivatives of h_z, times f_z: by r on dr = u + r^ (s + A d), with c = r/|r|,
+ *     Q = -(I - c c^T)/|r| - (L/10) rho'',
+ *     rho'' = 2/|r|^2 [c_z^2 I - e_z e_z^T + 2 c_z (e_z c^T + c e_z^T) - 4 c_z^2 c c^T],
+ * and by w on dw = P d, -L/3 across.
  */
 static void string(const struct place_of *p, struct blocks *k)
 {
-    double size = vec3_length(p->r), Q[9], R[9], QR[9], RQR[9], part[9];
+    double size = vec3_length(p->r), z = p->r[2] / size;
+    double Q[9], R[9], QR[9], RQR[9], part[9];
 
-    for (int i = 0; i < 9; i++)
-        Q[i] = -p->f[2] / size * ((i % 4 == 0) - p->r[i / 3] * p->r[i % 3] / (size * size));
+    for (int i = 0; i < 9; i++) {
+        int a = i / 3, b = i % 3;
+        double ca = p->r[a] / size, cb = p->r[b] / size, unit = a == b;
+        double rho = 2 / (size * size) *
+                     (z * z * unit - (a == 2) * (b == 2) + 2 * z * ((a == 2) * cb + ca * (b == 2)) -
+                      4 * z * z * ca * cb);
+
+        Q[i] = -p->f[2] * ((unit - ca * cb) / size + p->L / 10 * rho);
+        k->dd[i] -= p->f[2] * p->L / 3 * (k->P[a] * k->P[b] + k->P[3 + a] * k->P[3 + b]);
+    }
     mat3_skew(p->r, R);
     mat3_multiply(Q, R, QR);
     mat3_multiply_tn(R, QR, RQR);

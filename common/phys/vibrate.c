@@ -22,6 +22,8 @@ static enum status mass_of(const struct frame *f, const struct frame_state *s, i
         beam_new(&bow, b->section, &now) != SW_OK)
         return SW_INDEFINITE;
     beam_mass(&now, b->section, dense);
+    for (int k = 0; k < 144; k++) /* the mass is that of the natural length */
+        dense[k] *= b->beam.length / now.length;
     hinge_end(&b->hinge[0], &s->hinge[2 * i], s->q + 4 * b->a, q, axis[0]);
     hinge_end(&b->hinge[1], &s->hinge[2 * i + 1], s->q + 4 * b->b, q, axis[1]);
     hinge_expand(b->hinge, axis, nothing, dense, force, M);

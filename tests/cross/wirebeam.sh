@@ -54,4 +54,15 @@ about "$(extrapolated x)" 100 2e-5 'the span that catenary was given, under its 
 about "$(extrapolated z)" "-$(value summary.csv sag_m)" 1e-4 'its sag'
 about "$(extrapolated V)" "$(awk 'BEGIN { print 104*49.05/2 }')" 1e-9 'half its weight'
 
+# Taut: the first frequency across, where it hangs.
+sed 's/^unstressed_length.*/unstressed_length = 99.5/' cable.ini >taut.ini
+runs 0 modal modal --modes 2 -o cable.csv taut.ini
+for n in 64 128; do
+    wire taut$n $n 99.5 0
+    printf 'node,ux,uy,uz,rx\nn0,0,0,0,0\nn%d,0.5,0,0,\n' $n >taut$n/supports.csv
+    runs 0 "taut wire of $n elements" wirebeam --modes 3 -o taut$n.csv taut$n/case.ini
+    awk -F, 'NR > 1 { print $2 }' taut$n.csv >rates$n
+    sed -n 1p rates$n >w$n
+done
+about "$(extrapolated w)" "$(cell cable.csv 1 omega_rad_s)" 1e-5 'the first frequency of modal'
 finish

@@ -202,13 +202,12 @@ static void strained_wire(void **state)
 }
 
 /* A straight wire rolled up to a ring by its end moment: its mass is that of the curve it has now,
- * with the moment of inertia of a ring about a point of it.  (The nodes' polygon has chords of the
- * elements' length: its radius is large by (pi/n)^2/6.) */
+ * with the moment of inertia of a ring about a point of it. */
 static void mass_where_it_is(void **state)
 {
     struct rod p;
     double *M, total = 0, *x;
-    int n = 64;
+    int n = 32;
 
     (void)state;
     rod_new(&p, n, rod_section(1e6, 1, 1, 1), line);
