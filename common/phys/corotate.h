@@ -2,10 +2,10 @@
  * Exact end forces and stiffness of the curved element in large displacements and rotations.
  *
  * The element keeps its natural shape; the deformation is measured against it in a frame midway
- * between its ends (theory.md section 10 c7).  Its stretch is that of the distance of the ends, not
- * of its part along the frame: a taut wire whose ends turn does not get shorter by it.  End forces
- * are the gradient of an energy, so they are objective, in balance, and do no work round a closed
- * path.
+ * between its ends (theory.md section 10 c7).  Its stretch is that of its axis, bent between the
+ * ends: the distance of the ends, and what a cubic with their slopes has more.  So a taut wire whose
+ * ends turn does not get shorter by it, and bending in a plane is of order 4.  End forces are the
+ * gradient of an energy, so they are objective, in balance, and do no work round a closed path.
  */
 #ifndef SEILWERK_PHYS_COROTATE_H
 #define SEILWERK_PHYS_COROTATE_H
@@ -17,7 +17,7 @@ struct corotate {
     const double *B;      /* (9) axes by rows in which all is given */
     const double *K;      /* (6, 6) */
     double D[3];          /* natural end 1 - end 2 */
-    int chord;            /* whether D lies along the third axis, strained by the ends' distance */
+    int chord;            /* whether D lies along the third axis, that of a bent beam */
     const double *spread; /* (6, 3), or NULL: never loaded */
     const double *S;      /* (3) */
     double length;
