@@ -3,9 +3,9 @@
  *
  * The element keeps its natural shape; the deformation is measured against it in a frame midway
  * between its ends (theory.md section 10 c7).  Its stretch is that of its axis, bent between the
- * ends: the distance of the ends, and what a cubic with their slopes has more.  So a taut wire whose
- * ends turn does not get shorter by it, and bending in a plane is of order 4.  End forces are the
- * gradient of an energy, so they are objective, in balance, and do no work round a closed path.
+ * ends: the distance of the ends, and what a cubic with their slopes has more.  So a taut wire
+ * whose ends turn does not get shorter by it, and bending in a plane is of order 4.  End forces are
+ * the gradient of an energy, so they are objective, in balance, and do no work round a closed path.
  */
 #ifndef SEILWERK_PHYS_COROTATE_H
 #define SEILWERK_PHYS_COROTATE_H
