@@ -172,8 +172,8 @@ static void clamped_beam(void **state)
     rod_free(&p);
 }
 
-/* About deformed states: a hinged wire under tension T, omega^2 = pi^2 T + pi^4 EI; under almost its
- * buckling load, -T = pi^2 EI, where it vanishes, and beyond, where it is negative. */
+/* About deformed states: a hinged wire under tension T, omega^2 = pi^2 T + pi^4 EI; almost under
+ * its buckling load, -T = pi^2 EI, where it vanishes, and beyond, where it is negative. */
 static void strained_wire(void **state)
 {
     const double tension[3] = {50, -9.8, -11};
