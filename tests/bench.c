@@ -512,7 +512,7 @@ static double mooring_time(int count)
 {
     struct net_node node[9];
     struct net_rope rope[9];
-    struct net net = {9, 9, node, rope};
+    struct net net = {.n = 9, .m = 9, .node = node, .rope = rope};
     struct net_options o = {.tolerance = 5e-10, .steps = 1000};
     double t = now();
 

@@ -1,4 +1,6 @@
 /* gapnet: equilibrium of systems of ropes and nets by the gap method. */
+#include "form/deck.h"
+#include "form/netbodies.h"
 #include "form/netfiles.h"
 #include "form/start.h"
 #include "sys/number.h"
@@ -7,11 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define SPLIT 5    /* of the elements of a chain: a continuous rope that must be split */
 #define SLACK 1e-8 /* of the largest tension: a rope that carries nothing */
 
 static struct {
     struct opt_common common;
-    const char *method, *rope, *step, *stiffness, *about;
+    const char *method, *rope, *step, *stiffness, *about, *write_deck, *body, *move, *moves, *by;
+    struct opt_list pretension;
     int verify, lint;
 } args;
 
@@ -26,13 +30,28 @@ static const struct opt options[] = {
      "stiffness of these nodes (a,b,...), condensed on the rest", 0, 0},
     {"about", 0, OPT_TEXT, &args.about, "X,Y,Z", "--stiffness: of a rigid body that carries them",
      0, 0},
+    {"body", 0, OPT_TEXT, &args.body, "NAME", "the body of --move, --moves and --stiffness body", 0,
+     0},
+    {"move", 0, OPT_TEXT, &args.move, "DX,DY,DZ,RX,RY,RZ", "move a body first", 0, 0},
+    {"moves", 0, OPT_TEXT, &args.moves, "FILE", "restoring curve: a row for each move in the table",
+     0, 0},
+    {"pretension", 0, OPT_LIST, &args.pretension, "ROPE=TENSION",
+     "find the rope's length for this tension", 0, 0},
+    {"by", 0, OPT_TEXT, &args.by, "WHAT", "--pretension: by length or anchor", 0, 0},
     {"lint", 0, OPT_FLAG, &args.lint, NULL, "only check the system", 0, 0},
+    {"write-deck", 0, OPT_TEXT, &args.write_deck, "FILE",
+     "write a MoorDyn v2 deck with the found positions", 0, 0},
     OPT_COMMON(&args.common),
 };
 
 static const struct opt_tool tool = {"gapnet", "SYSTEM",
                                      "Equilibrium of systems of ropes and nets by the gap method.",
                                      options};
+
+static int is_body_stiffness(void)
+{
+    return args.stiffness && strcmp(args.stiffness, "body") == 0;
+}
 
 static struct system_case c;
 static struct system all;
@@ -70,6 +89,8 @@ static void load(const char *path)
         exit(0);
     }
     must(system_load(path, &c, &all, &why), &why);
+    for (int i = 0; i < all.notes; i++)
+        (all.note[i].warns ? warn : note)("%s", all.note[i].text);
 }
 
 static struct net_options solver_options(int method)
@@ -78,6 +99,8 @@ static struct net_options solver_options(int method)
                                 .start = (enum net_stiffness)c.start,
                                 .start_steps = c.start_steps,
                                 .pull = (enum net_pull)c.pull,
+                                .split = SPLIT * c.elements,
+                                .hold = c.drag == DRAG_HOLD,
                                 .tolerance = c.tolerance,
                                 .steps = c.steps};
 }
@@ -157,27 +180,18 @@ static double verify(void)
     return most;
 }
 
-/* Whether rope r is a bar that is shorter than its length. */
-static int is_pushed(int r)
-{
-    const struct net_rope *p = &all.net.rope[r];
-    const double *a = state.x + 3 * p->a, *b = state.x + 3 * p->b;
-
-    return p->rope.elements == 1 &&
-           hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]) < p->rope.L0;
-}
-
 static void remark(void)
 {
     for (int r = 0; r < all.net.m; r++) {
         const struct rope_law *law = &all.net.rope[r].rope.law;
-        double ta[3], tb[3], most, least;
+        struct net_outline line;
+        double most;
 
-        net_ends(&all.net, &state, r, ta, tb);
-        rope_extremes(&all.net.rope[r].rope, ta, &most, &least);
+        net_outline(&all.net, &state, r, &line);
+        most = fabs(line.most);
         if (most > all.type[all.type_of[r]].breaking)
             warn("rope '%s' is over its breaking load: %.6g N", system_rope(&all, r), most);
-        if (law->n > 0 && is_pushed(r) && most > SLACK * state.most)
+        if (law->n > 0 && line.most < 0 && most > SLACK * state.most)
             die(SW_ADMISSIBLE, "rope '%s' is pushed by %.6g N; its tension table starts at nothing",
                 system_rope(&all, r), most);
         if (law->n > 0 && most > law->tension[law->n - 1])
@@ -196,23 +210,22 @@ static void warn_of_bed(void)
         if (all.net.node[i].held & 4)
             bottom = fmin(bottom, all.net.node[i].x[2]);
     for (int r = 0; r < all.net.m; r++) {
-        const struct net_rope *p = &all.net.rope[r];
-        double ta[3], tb[3], low;
+        struct net_outline line;
 
-        net_ends(&all.net, &state, r, ta, tb);
-        low = state.x[3 * p->a + 2] + rope_lowest(&p->rope, ta);
-        if (low < lowest) {
-            lowest = low;
+        net_outline(&all.net, &state, r, &line);
+        if (line.lowest < lowest) {
+            lowest = line.lowest;
             which = r;
         }
     }
-    if (c.density > 0 && which >= 0 && lowest < bottom - 1e-6 * state.size)
+    if (c.density > 0 && all.sea.bed.kind == BED_NONE && which >= 0 &&
+        lowest < bottom - 1e-6 * state.size)
         warn("rope '%s' hangs %.3g m below the lowest node that is held: there is no bed",
              system_rope(&all, which), bottom - lowest);
 }
 
 /* The nodes a,b,... of --stiffness; their number. */
-static int choose(int *ret)
+static int choose_named(int *ret)
 {
     const char *p = args.stiffness;
     int k = 0;
@@ -221,12 +234,8 @@ static int choose(int *ret)
         die(SW_USAGE, "option --stiffness: names of nodes are expected");
     while (*p) {
         size_t length = strcspn(p, ",");
-        int found = -1;
+        int found = roll_search(&all.nodes, p, length);
 
-        for (int i = 0; i < all.net.n; i++)
-            if (strlen(system_node(&all, i)) == length &&
-                strncmp(system_node(&all, i), p, length) == 0)
-                found = i;
         if (found < 0)
             die(SW_USAGE, "option --stiffness: there is no node '%.*s'", (int)length, p);
         for (int i = 0; i < k; i++)
@@ -239,28 +248,40 @@ static int choose(int *ret)
     return k;
 }
 
-/* The point of --about. */
-static void read_about(double ret[3])
+/* The body that options speak of. */
+static int chosen_body(const char *option)
 {
-    char copy[200], *word, *rest = NULL;
-    int n = 0;
+    struct why why;
+    int body;
 
-    if (snprintf(copy, sizeof copy, "%s", args.about) >= (int)sizeof copy)
-        die(SW_USAGE, "option --about: too long");
-    for (word = strtok_r(copy, ",", &rest); word; word = strtok_r(NULL, ",", &rest)) {
-        const char *reason = n < 3 ? number_read(word, &ret[n]) : "more than three numbers";
+    if (net_choose_body(&all, args.body, &body, &why) != SW_OK)
+        die(SW_USAGE, "option --%s: %s", option, why.text);
+    return body;
+}
 
-        if (reason)
-            die(SW_USAGE, "option --about: '%s': %s", word, reason);
-        n++;
-    }
-    if (n < 3)
-        die(SW_USAGE, "option --about: three numbers are expected, X,Y,Z");
+/* What --stiffness is about: nodes, and of a body the point. */
+static int choose(int *ret, double about[3])
+{
+    struct why why;
+    int k = 0, body;
+
+    if (args.about && numbers_read(args.about, 3, about, &why) != SW_OK)
+        die(SW_USAGE, "option --about: %s", why.text);
+    if (!is_body_stiffness())
+        return choose_named(ret);
+    body = chosen_body("stiffness");
+    for (int i = 0; i < all.net.n; i++)
+        if (all.net.node[i].body == body + 1)
+            ret[k++] = i;
+    if (!args.about)
+        memcpy(about, all.net.body[body].x, 3 * sizeof *about);
+    return k;
 }
 
 static void print_stiffness(void)
 {
     int *chosen = malloc(sizeof *chosen * (size_t)all.net.n), k;
+    int of_body = args.about || is_body_stiffness();
     double *K, about[3];
     struct out o;
     struct why why;
@@ -268,22 +289,19 @@ static void print_stiffness(void)
 
     if (!chosen)
         die(SW_NOMEM, "%s", status_text(SW_NOMEM));
-    k = choose(chosen);
-    if (args.about)
-        read_about(about);
-    K = calloc(args.about ? 36 : 9 * (size_t)k * (size_t)k + 1, sizeof *K);
+    k = choose(chosen, about);
+    K = calloc(of_body ? 36 : 9 * (size_t)k * (size_t)k + 1, sizeof *K);
     if (!K)
         die(SW_NOMEM, "%s", status_text(SW_NOMEM));
-    s = args.about ? net_body_stiffness(&all.net, &state, chosen, k, about, K)
-                   : net_stiffness(&all.net, &state, chosen, k, K);
+    s = of_body ? net_body_stiffness(&all.net, &state, chosen, k, about, K)
+                : net_stiffness(&all.net, &state, chosen, k, K);
     if (s != SW_OK)
         die(s, "stiffness: %s", status_text(s));
     if (args.common.dir) {
-        must(net_write_stiffness(args.common.dir, &all, chosen, k, args.about != NULL, K, &why),
-             &why);
+        must(net_write_stiffness(args.common.dir, &all, chosen, k, of_body, K, &why), &why);
     } else {
         must(out_open(&o, args.common.out, &why), &why);
-        if (args.about)
+        if (of_body)
             net_print_body(K, &o);
         else
             net_print_stiffness(&all, chosen, k, K, &o);
@@ -293,6 +311,64 @@ static void print_stiffness(void)
     free(K);
 }
 
+/* --move: the body, before anything is solved. */
+static void move_body(void)
+{
+    double move[6];
+    struct net_body from;
+    struct why why;
+    int body;
+
+    if (numbers_read(args.move, 6, move, &why) != SW_OK)
+        die(SW_USAGE, "option --move: %s", why.text);
+    body = chosen_body("move");
+    from = all.net.body[body];
+    if (!from.held)
+        die(SW_USAGE, "option --move: body '%s' is free", roll_name(&all.bodies, body));
+    net_move_body(&all, body, &from, move);
+}
+
+/* --moves: the curve in place of all else. */
+static int print_curve(const struct net_options *solver)
+{
+    struct out o;
+    struct why why;
+    int failed, body = chosen_body("moves");
+
+    must(out_open(&o, args.common.out, &why), &why);
+    must(net_print_curve(&all, solver, body, args.moves, &o, &failed, &why), &why);
+    must(out_close(&o, &why), &why);
+    return failed > 0;
+}
+
+/* --pretension, and the system with what it needs. */
+static enum status solve(const struct net_options *o, struct net_state *ret)
+{
+    int by = 0;
+    struct net_target *target;
+    struct why why;
+    enum status s;
+
+    set_word("by", "length anchor", args.by, &by);
+    if (args.pretension.n == 0)
+        return net_settle(&all.net, o, ret);
+    target = calloc((size_t)args.pretension.n, sizeof *target);
+    if (!target)
+        die(SW_NOMEM, "%s", status_text(SW_NOMEM));
+    for (int i = 0; i < args.pretension.n; i++)
+        if (net_take_target(&all, args.pretension.item[i], by, &target[i], &why) != SW_OK)
+            die(SW_USAGE, "option --pretension: %s", why.text);
+    s = net_tune(&all.net, o, target, args.pretension.n, ret);
+    free(target);
+    return s;
+}
+
+/* Whether the deck takes the place of the table of nodes. */
+static int deck_on_stdout(void)
+{
+    return args.write_deck && strcmp(args.write_deck, "-") == 0 && !args.common.out;
+}
+
 static void print_results(const struct net_report *r)
 {
     struct out o;
@@ -300,11 +376,34 @@ static void print_results(const struct net_report *r)
 
     if (args.common.dir) {
         must(net_write(args.common.dir, &all, &state, r, &why), &why);
-    } else if (!args.stiffness) {
+    } else if (!args.stiffness && !deck_on_stdout()) {
         must(out_open(&o, args.common.out, &why), &why);
         must(net_print_nodes(&all, &state, &o, &why), &why);
         must(out_close(&o, &why), &why);
     }
+}
+
+/* Ready beside its name, since it may be refused; it appears when all else is written. */
+static void write_deck(struct out *o)
+{
+    struct why why;
+
+    if (!args.write_deck)
+        return;
+    must(out_open(o, args.write_deck, &why), &why);
+    must(deck_write(&all, &state, o, &why), &why);
+    must(out_finish(o, &why), &why);
+}
+
+static void publish_deck(struct out *o)
+{
+    struct why why;
+
+    if (!args.write_deck)
+        return;
+    must(out_rename(o, &why), &why);
+    if (all.sea.current.n > 0)
+        warn("%s: the current is not in it; set tables.current with it", args.write_deck);
 }
 
 int main(int argc, char **argv)
@@ -312,33 +411,46 @@ int main(int argc, char **argv)
     int operand = start_options(&tool, &args.common, argc, argv);
     struct net_report r = {.difference = NAN};
     struct net_options o;
+    struct out deck;
     struct why why;
 
     if (operand != argc - 1)
         opt_usage(&tool);
     if (args.about && !args.stiffness)
         die(SW_USAGE, "option --about belongs to --stiffness");
+    if (args.by && args.pretension.n == 0)
+        die(SW_USAGE, "option --by belongs to --pretension");
+    if (args.moves && (args.common.dir || args.stiffness || args.write_deck))
+        die(SW_USAGE, "option --moves prints the curve alone");
     if (args.common.out && args.common.dir)
         die(SW_USAGE, "options -o and -d: all tables go to the directory");
+    if (deck_on_stdout() && args.stiffness && !args.common.dir)
+        die(SW_USAGE, "options --write-deck - and --stiffness: one of them needs a file");
     load(argv[operand]);
     if (args.lint)
         return system_lint(&all, tell) > 0;
     o = solver_options(c.method);
     r.method = method_name(c.method);
-    r.status = net_solve(&all.net, &o, &state);
+    if (args.move)
+        move_body();
+    r.status = solve(&o, &state);
     if (r.status != SW_OK) {
         explain(r.status, c.method, &state, &why);
         if (r.status == SW_NOCONV && args.common.dir)
             print_results(&r); /* how far it came */
         must(r.status, &why);
     }
+    if (args.moves)
+        return print_curve(&o);
     remark();
     warn_of_bed();
     if (args.verify)
         r.difference = verify();
+    write_deck(&deck);
     print_results(&r);
     if (args.stiffness)
         print_stiffness();
+    publish_deck(&deck);
     net_state_free(&state);
     system_free(&all);
     opt_list_free(&args.common.sets);

@@ -1,5 +1,6 @@
 /* Results of gapnet. */
 #include "form/netfiles.h"
+#include "form/netbodies.h"
 #include "num/mem.h"
 #include "sys/npy.h"
 
@@ -107,6 +108,16 @@ enum status net_print_nodes(const struct system *p, const struct net_state *s, s
     return SW_OK;
 }
 
+/* slack, compression, ... */
+static const char *remark_of(const struct net_outline *p, double breaking, double slack)
+{
+    if (p->most < 0)
+        return "compression";
+    if (p->most > breaking)
+        return "over its breaking load";
+    return p->most <= slack ? "slack" : "";
+}
+
 void net_print_ropes(const struct system *p, const struct net_state *s, struct out *o)
 {
     double slack = slack_below(p, s);
@@ -117,24 +128,16 @@ void net_print_ropes(const struct system *p, const struct net_state *s, struct o
           o->f);
     for (int r = 0; r < p->net.m; r++) {
         const struct net_rope *rope = &p->net.rope[r];
-        double breaking = p->type[p->type_of[r]].breaking, ta[3], tb[3], most, least, length, low;
-        int bar = rope->rope.elements == 1;
+        double breaking = p->type[p->type_of[r]].breaking, ta[3], tb[3];
+        struct net_outline line;
+        int pushed;
 
         net_ends(&p->net, s, r, ta, tb);
-        rope_extremes(&rope->rope, ta, &most, &least);
-        length = rope_length(&rope->rope, ta);
-        low = s->x[3 * rope->a + 2] + rope_lowest(&rope->rope, ta);
-        if (bar) {
-            const double *a = s->x + 3 * rope->a, *b = s->x + 3 * rope->b;
-            const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-
-            length = size(d);
-            low = fmin(a[2], b[2]);
-            most = least = length < rope->rope.L0 ? -size(ta) : size(ta); /* compression */
-        }
+        net_outline(&p->net, s, r, &line);
+        pushed = line.most < 0;
         out_cell(o, system_rope(p, r));
-        cells((const double[]){bar ? most : size(ta), bar ? most : size(tb), most, least, length,
-                               0},
+        cells((const double[]){pushed ? line.most : size(ta), pushed ? line.most : size(tb),
+                               line.most, line.least, line.length, line.flat},
               6, o);
         cells(ta, 3, o);
         cells(tb, 3, o);
@@ -142,60 +145,55 @@ void net_print_ropes(const struct system *p, const struct net_state *s, struct o
         out_cell(o, system_node(p, rope->a));
         putc(',', o->f);
         out_cell(o, system_node(p, rope->b));
-        cells((const double[]){rope->rope.L0, rope->rope.elements, rope->rope.law.EA}, 3, o);
+        cells((const double[]){rope->rope.L0, line.elements, rope->rope.law.EA}, 3, o);
         putc(',', o->f);
         if (isfinite(breaking))
-            out_number(o, most / breaking);
-        cells(&low, 1, o);
-        fprintf(o->f, ",%s,%s\n",
-                bar && most < 0       ? "compression"
-                : most > breaking     ? "over its breaking load"
-                : fabs(most) <= slack ? "slack"
-                                      : "",
+            out_number(o, line.most / breaking);
+        cells(&line.lowest, 1, o);
+        fprintf(o->f, ",%s,%s\n", remark_of(&line, breaking, slack),
                 rope->rope.law.n > 0 ? "table" : "hooke");
+    }
+}
+
+static void print_points(const char *name, const double *a, const struct rope_point *point, int n,
+                         struct out *o)
+{
+    for (int k = 0; k < n; k++) {
+        const double x[3] = {a[0] + point[k].x[0], a[1] + point[k].x[1], a[2] + point[k].x[2]};
+
+        out_cell(o, name);
+        fprintf(o->f, ",%d", k);
+        cells(x, 3, o);
+        cells((const double[]){size(point[k].t)}, 1, o);
+        cells(point[k].load, 3, o);
+        cells(&point[k].s, 1, o);
+        cells(point[k].t, 3, o);
+        cells((const double[]){point[k].strain, point[k].bed}, 2, o);
+        putc('\n', o->f);
     }
 }
 
 enum status net_print_shapes(const struct system *p, const struct net_state *s, struct out *o,
                              struct why *why)
 {
-    int most = SHAPE_POINTS;
+    int most = NET_POINTS;
     struct rope_point *point;
 
-    for (int r = 0; r < p->net.m; r++)
-        most = p->net.rope[r].rope.elements + 1 > most ? p->net.rope[r].rope.elements + 1 : most;
+    for (int r = 0; r < p->net.m; r++) {
+        struct net_outline line;
+
+        net_outline(&p->net, s, r, &line);
+        most = line.elements + 1 > most ? line.elements + 1 : most;
+    }
     point = mem_zeroed((size_t)most, sizeof *point);
     if (!point)
         return fail_plain(why, SW_NOMEM);
     fputs("rope,joint,x_m,y_m,z_m,tension_N,load_x_N,load_y_N,load_z_N,s_m,tx_N,ty_N,tz_N,"
-          "strain\n",
+          "strain,bed_N\n",
           o->f);
-    for (int r = 0; r < p->net.m; r++) {
-        const struct net_rope *rope = &p->net.rope[r];
-        const double *a = s->x + 3 * rope->a, *b = s->x + 3 * rope->b;
-        int n = rope->rope.elements > 0 ? rope->rope.elements + 1 : SHAPE_POINTS;
-
-        rope_points(&rope->rope, s->t + 3 * r, n, point);
-        if (rope->rope.elements == 1) /* a bar reaches from node to node */
-            for (int i = 0; i < 3; i++)
-                point[1].x[i] = b[i] - a[i];
-        for (int k = 0; k < n; k++) {
-            const double x[3] = {a[0] + point[k].x[0], a[1] + point[k].x[1], a[2] + point[k].x[2]};
-
-            out_cell(o, system_rope(p, r));
-            fprintf(o->f, ",%d", k);
-            cells(x, 3, o);
-            putc(',', o->f);
-            out_number(o, size(point[k].t));
-            cells(point[k].load, 3, o);
-            putc(',', o->f);
-            out_number(o, point[k].s);
-            cells(point[k].t, 3, o);
-            putc(',', o->f);
-            out_number(o, point[k].strain);
-            putc('\n', o->f);
-        }
-    }
+    for (int r = 0; r < p->net.m; r++)
+        print_points(system_rope(p, r), s->x + 3 * p->net.rope[r].a, point,
+                     net_points(&p->net, s, r, point), o);
     free(point);
     return SW_OK;
 }
@@ -219,19 +217,12 @@ static void count_remarks(const struct system *p, const struct net_state *s, int
 
     ret[0] = ret[1] = ret[2] = 0;
     for (int r = 0; r < p->net.m; r++) {
-        const struct net_rope *rope = &p->net.rope[r];
-        double ta[3], tb[3], most, least;
+        struct net_outline line;
 
-        net_ends(&p->net, s, r, ta, tb);
-        rope_extremes(&rope->rope, ta, &most, &least);
-        ret[0] += most <= slack;
-        ret[1] += most > p->type[p->type_of[r]].breaking;
-        if (rope->rope.elements == 1) {
-            const double *a = s->x + 3 * rope->a, *b = s->x + 3 * rope->b;
-            const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-
-            ret[2] += size(d) < rope->rope.L0 && most > slack;
-        }
+        net_outline(&p->net, s, r, &line);
+        ret[0] += fabs(line.most) <= slack;
+        ret[1] += line.most > p->type[p->type_of[r]].breaking;
+        ret[2] += line.most < -slack;
     }
 }
 
@@ -304,9 +295,9 @@ static enum status make_dir(const char *dir, struct why *why)
     return fail(why, SW_WRITE, "%s: cannot be made: %s", dir, strerror(errno));
 }
 
-enum { NODES, ROPES, SHAPES, HISTORY, SUMMARY, N_FILES };
-static const char *const file_name[N_FILES] = {"nodes.csv", "ropes.csv", "shapes.csv",
-                                               "history.csv", "summary.csv"};
+enum { NODES, ROPES, SHAPES, HISTORY, SUMMARY, BODIES, N_FILES };
+static const char *const file_name[N_FILES] = {"nodes.csv",   "ropes.csv",   "shapes.csv",
+                                               "history.csv", "summary.csv", "bodies.csv"};
 
 static enum status print_file(int which, const struct system *p, const struct net_state *s,
                               const struct net_report *r, struct out *o, struct why *why)
@@ -316,6 +307,7 @@ static enum status print_file(int which, const struct system *p, const struct ne
     case ROPES: net_print_ropes(p, s, o); return SW_OK;
     case SHAPES: return net_print_shapes(p, s, o, why);
     case HISTORY: net_print_history(s, o); return SW_OK;
+    case BODIES: net_print_bodies(p, s, o); return SW_OK;
     default: net_print_summary(p, s, r, o); return SW_OK;
     }
 }
@@ -325,9 +317,10 @@ enum status net_write(const char *dir, const struct system *p, const struct net_
 {
     struct out o[N_FILES];
     char *path[N_FILES] = {NULL};
+    int files = p->net.bodies > 0 ? N_FILES : BODIES; /* their table is the last one */
     enum status status = make_dir(dir, why);
 
-    for (int i = 0; i < N_FILES && status == SW_OK; i++) {
+    for (int i = 0; i < files && status == SW_OK; i++) {
         path[i] = path_in(dir, file_name[i]);
         status = path[i] ? out_open(&o[i], path[i], why) : fail_plain(why, SW_NOMEM);
         if (status == SW_OK)
@@ -335,7 +328,7 @@ enum status net_write(const char *dir, const struct system *p, const struct net_
         if (status == SW_OK)
             status = out_finish(&o[i], why);
     }
-    for (int i = 0; i < N_FILES && status == SW_OK; i++)
+    for (int i = 0; i < files && status == SW_OK; i++)
         status = out_rename(&o[i], why);
     for (int i = 0; i < N_FILES; i++)
         free(path[i]);

@@ -14,9 +14,6 @@ struct net_report {
     double difference; /* of --verify [m], NAN: not asked for */
 };
 
-/* Points of a continuous rope in the table of shapes. */
-#define SHAPE_POINTS 21
-
 void net_print_ropes(const struct system *p, const struct net_state *s, struct out *o);
 
 /* SW_NOMEM. */

@@ -61,12 +61,13 @@ enum {
     S = SLOAD + 3,
     ST,
     STRAIN = ST + 3,
+    BED,
     N_SHAPE
 };
 static const struct sheet_column shape_column[N_SHAPE] = {
     {"rope", 1},      {"joint", 1},    {"x_m", 1},      {"y_m", 1},      {"z_m", 1},
     {"tension_N", 1}, {"load_x_N", 1}, {"load_y_N", 1}, {"load_z_N", 1}, {"s_m", 1},
-    {"tx_N", 1},      {"ty_N", 1},     {"tz_N", 1},     {"strain", 1}};
+    {"tx_N", 1},      {"ty_N", 1},     {"tz_N", 1},     {"strain", 1},   {"bed_N", 0}};
 
 /* Everything as numbers. */
 struct tables {
@@ -120,14 +121,18 @@ static enum status take_nodes(struct tables *p, struct why *why)
 
 static enum status take_ropes(struct tables *p, struct why *why)
 {
-    struct sheet_index index;
-    enum status s = sheet_sort(&p->nodes, NODE, &index, why);
+    struct roll names = {.n = 0};
+    struct roll_index index = {NULL, 0};
+    enum status s = sheet_roll(&p->nodes, NODE, &names, why);
+
+    if (s == SW_OK)
+        s = roll_sort(&names, &index, why);
 
     for (int r = 0; r < p->ropes.n && s == SW_OK; r++) {
         double elements;
 
-        p->a[r] = sheet_find(&p->nodes, NODE, &index, sheet_text(&p->ropes, r, A));
-        p->b[r] = sheet_find(&p->nodes, NODE, &index, sheet_text(&p->ropes, r, B));
+        p->a[r] = roll_find(&names, &index, sheet_text(&p->ropes, r, A));
+        p->b[r] = roll_find(&names, &index, sheet_text(&p->ropes, r, B));
         if (p->a[r] < 0 || p->b[r] < 0)
             s = sheet_fail(why, &p->ropes, r, "an end is no node of the table");
         if (s == SW_OK)
@@ -147,7 +152,8 @@ static enum status take_ropes(struct tables *p, struct why *why)
         p->elements[r] = s == SW_OK ? (int)elements : 0;
         p->hooke[r] = strcmp(sheet_text(&p->ropes, r, LAW), "hooke") == 0;
     }
-    free(index.row);
+    free(index.at);
+    roll_free(&names);
     return s;
 }
 

@@ -139,65 +139,11 @@ enum status sheet_number(const struct sheet *s, int row, int column, double leas
     return SW_OK;
 }
 
-/* Names are compared by what these say; set for the time of one sort. */
-static int compare_names(const struct sheet *s, int column, int a, int b)
+enum status sheet_roll(const struct sheet *s, int column, struct roll *ret, struct why *why)
 {
-    return strcmp(sheet_text(s, a, column), sheet_text(s, b, column));
-}
+    enum status status = roll_begin(ret, s->name, why);
 
-/* Merge sort: stable, and needs no state beside its arguments. */
-static void merge_sort(const struct sheet *s, int column, int *row, int *spare, int n)
-{
-    int half = n / 2, i = 0, j = half, k = 0;
-
-    if (n < 2)
-        return;
-    merge_sort(s, column, row, spare, half);
-    merge_sort(s, column, row + half, spare, n - half);
-    while (i < half && j < n)
-        spare[k++] = compare_names(s, column, row[j], row[i]) < 0 ? row[j++] : row[i++];
-    while (i < half)
-        spare[k++] = row[i++];
-    memcpy(row, spare, (size_t)k * sizeof *row);
-}
-
-enum status sheet_sort(const struct sheet *s, int column, struct sheet_index *ret, struct why *why)
-{
-    int *spare = mem_zeroed((size_t)s->n, sizeof *spare);
-
-    *ret = (struct sheet_index){mem_zeroed((size_t)s->n, sizeof *ret->row), s->n};
-    if (!spare || !ret->row) {
-        free(spare);
-        return fail_plain(why, SW_NOMEM);
-    }
-    for (int i = 0; i < s->n; i++)
-        ret->row[i] = i;
-    merge_sort(s, column, ret->row, spare, s->n);
-    free(spare);
-    for (int i = 0; i < s->n; i++) {
-        if (sheet_text(s, i, column)[0] == '\0')
-            return sheet_fail(why, s, i, "a name is missing");
-        if (i > 0 && compare_names(s, column, ret->row[i - 1], ret->row[i]) == 0)
-            return sheet_fail(why, s, ret->row[i], "'%.60s' is there already, in line %d",
-                              sheet_text(s, ret->row[i], column), s->line[ret->row[i - 1]]);
-    }
-    return SW_OK;
-}
-
-int sheet_find(const struct sheet *s, int column, const struct sheet_index *index, const char *name)
-{
-    int low = 0, high = index->n - 1;
-
-    while (low <= high) {
-        int middle = low + (high - low) / 2;
-        int order = strcmp(sheet_text(s, index->row[middle], column), name);
-
-        if (order == 0)
-            return index->row[middle];
-        if (order < 0)
-            low = middle + 1;
-        else
-            high = middle - 1;
-    }
-    return -1;
+    for (int i = 0; i < s->n && status == SW_OK; i++)
+        status = roll_add(ret, sheet_text(s, i, column), s->line[i], why);
+    return status;
 }

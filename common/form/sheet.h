@@ -4,6 +4,7 @@
 #ifndef SEILWERK_FORM_SHEET_H
 #define SEILWERK_FORM_SHEET_H
 
+#include "form/roll.h"
 #include "sys/csv.h"
 
 /* A column that a table may have. */
@@ -40,17 +41,7 @@ enum status sheet_number(const struct sheet *s, int row, int column, double leas
 __attribute__((format(printf, 4, 5))) enum status sheet_fail(struct why *why, const struct sheet *s,
                                                              int row, const char *format, ...);
 
-/* Names of a column, sorted, for sheet_find. */
-struct sheet_index {
-    int *row; /* (n) by name; owned */
-    int n;
-};
-
-/* SW_FORMAT: a name is empty or given twice; SW_NOMEM. */
-enum status sheet_sort(const struct sheet *s, int column, struct sheet_index *ret, struct why *why);
-
-/* The row with this name, -1: none. */
-int sheet_find(const struct sheet *s, int column, const struct sheet_index *index,
-               const char *name);
+/* The names in a column, with their lines.  SW_NOMEM. */
+enum status sheet_roll(const struct sheet *s, int column, struct roll *ret, struct why *why);
 
 #endif

@@ -245,8 +245,8 @@ static enum status add_pieces(struct wire *p, int row, const struct frame_beam *
     return SW_OK;
 }
 
-static enum status take_element(struct wire *p, int row, const struct sheet_index *nodes,
-                                const struct sheet_index *sections, struct station *at, int *room,
+static enum status take_element(struct wire *p, int row, const struct wire_names *nodes,
+                                const struct wire_names *sections, struct station *at, int *room,
                                 struct why *why)
 {
     const struct sheet *t = &p->elements;
@@ -255,12 +255,12 @@ static enum status take_element(struct wire *p, int row, const struct sheet_inde
     struct bow bow;
     double angle;
     int section = 0, n = 1;
-    enum status s = wire_find(t, row, NODE_A, "node", &p->nodes, nodes, &whole.a, why);
+    enum status s = wire_find(t, row, NODE_A, "node", nodes, &whole.a, why);
 
     if (s == SW_OK)
-        s = wire_find(t, row, NODE_B, "node", &p->nodes, nodes, &whole.b, why);
+        s = wire_find(t, row, NODE_B, "node", nodes, &whole.b, why);
     if (s == SW_OK)
-        s = wire_find(t, row, SECTION_OF, "section", &p->sections, sections, &section, why);
+        s = wire_find(t, row, SECTION_OF, "section", sections, &section, why);
     if (s == SW_OK)
         s = take_ends(p, row, &whole, ends, why);
     for (int end = 0; end < 2 && s == SW_OK; end++)
@@ -285,8 +285,8 @@ static enum status take_element(struct wire *p, int row, const struct sheet_inde
     return s == SW_OK ? add_pieces(p, row, &whole, at, n, why) : s;
 }
 
-static enum status take_elements(struct wire *p, const struct sheet_index *nodes,
-                                 const struct sheet_index *sections, struct why *why)
+static enum status take_elements(struct wire *p, const struct wire_names *nodes,
+                                 const struct wire_names *sections, struct why *why)
 {
     struct station *at = mem_zeroed(DIVIDE_MOST + 1, sizeof *at);
     int room = 0;
@@ -339,14 +339,14 @@ static enum status read_tables(const char *path, struct wire *p, struct why *why
     return s;
 }
 
-static enum status take_tables(struct wire *p, struct sheet_index index[3], struct why *why)
+static enum status take_tables(struct wire *p, struct wire_names index[3], struct why *why)
 {
-    enum status s = sheet_sort(&p->nodes, NODE, &index[0], why);
+    enum status s = wire_names_new(&p->nodes, &index[0], why);
 
     if (s == SW_OK)
-        s = sheet_sort(&p->sections, SECTION, &index[1], why);
+        s = wire_names_new(&p->sections, &index[1], why);
     if (s == SW_OK)
-        s = sheet_sort(&p->elements, ELEMENT, &index[2], why);
+        s = wire_names_new(&p->elements, &index[2], why);
     if (s == SW_OK)
         s = wire_take_sections(p, why);
     if (s == SW_OK)
@@ -365,7 +365,7 @@ static enum status take_tables(struct wire *p, struct sheet_index index[3], stru
 enum status wire_load(const char *path, const struct wire_case *c, struct wire *ret,
                       struct why *why)
 {
-    struct sheet_index index[3] = {{NULL, 0}};
+    struct wire_names index[3] = {{.index = {NULL, 0}}};
     enum status s;
 
     *ret = (struct wire){.c = *c, .frame.stages = 1, .frame.lumped = c->lumped, .watch = -1};
@@ -373,12 +373,12 @@ enum status wire_load(const char *path, const struct wire_case *c, struct wire *
     if (s == SW_OK)
         s = take_tables(ret, index, why);
     if (s == SW_OK && c->watch[0] != '\0') {
-        ret->watch = sheet_find(&ret->nodes, NODE, &index[0], c->watch);
+        ret->watch = roll_find(&index[0].roll, &index[0].index, c->watch);
         if (ret->watch < 0)
             s = fail(why, SW_FORMAT, "[solve] watch: there is no node '%.60s'", c->watch);
     }
     for (int i = 0; i < 3; i++)
-        free(index[i].row);
+        wire_names_free(&index[i]);
     if (s != SW_OK)
         wire_free(ret);
     return s;

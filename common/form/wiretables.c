@@ -32,11 +32,23 @@ const struct sheet_column wire_spring_column[N_SPRING] = {
     {"spring", 1}, {"node_a", 1}, {"node_b", 0}, {"kx_N_m", 0}, {"ky_N_m", 0}, {"kz_N_m", 0},
     {"krx_Nm", 0}, {"kry_Nm", 0}, {"krz_Nm", 0}, {"xx", 0},     {"xy", 0},     {"xz", 0}};
 
-enum status wire_find(const struct sheet *from, int row, int column, const char *kind,
-                      const struct sheet *in, const struct sheet_index *index, int *ret,
-                      struct why *why)
+enum status wire_names_new(const struct sheet *s, struct wire_names *ret, struct why *why)
 {
-    *ret = sheet_find(in, 0, index, sheet_text(from, row, column));
+    enum status status = sheet_roll(s, 0, &ret->roll, why);
+
+    return status == SW_OK ? roll_sort(&ret->roll, &ret->index, why) : status;
+}
+
+void wire_names_free(struct wire_names *n)
+{
+    free(n->index.at);
+    roll_free(&n->roll);
+}
+
+enum status wire_find(const struct sheet *from, int row, int column, const char *kind,
+                      const struct wire_names *in, int *ret, struct why *why)
+{
+    *ret = roll_find(&in->roll, &in->index, sheet_text(from, row, column));
     return *ret >= 0 ? SW_OK
                      : sheet_fail(why, from, row, "there is no %s '%.60s'", kind,
                                   sheet_text(from, row, column));
@@ -80,13 +92,13 @@ static enum status take_stage(struct wire *p, const struct sheet *t, int row, in
 }
 
 /* Rows of one node hold what their cells say; no direction twice. */
-static enum status take_support(struct wire *p, int row, const struct sheet_index *nodes,
+static enum status take_support(struct wire *p, int row, const struct wire_names *nodes,
                                 struct why *why)
 {
     const struct sheet *t = &p->supports;
     struct frame_node *to;
     int node, stage;
-    enum status s = wire_find(t, row, HELD, "node", &p->nodes, nodes, &node, why);
+    enum status s = wire_find(t, row, HELD, "node", nodes, &node, why);
 
     if (s == SW_OK)
         s = take_stage(p, t, row, HELD_STAGE, &stage, why);
@@ -105,7 +117,7 @@ static enum status take_support(struct wire *p, int row, const struct sheet_inde
     return s;
 }
 
-enum status wire_take_supports(struct wire *p, const struct sheet_index *nodes, struct why *why)
+enum status wire_take_supports(struct wire *p, const struct wire_names *nodes, struct why *why)
 {
     enum status s = SW_OK;
 
@@ -131,15 +143,15 @@ static enum status take_axes(const struct sheet *t, int row, double B[9], struct
     return SW_OK;
 }
 
-static enum status take_spring(struct wire *p, int row, const struct sheet_index *nodes,
+static enum status take_spring(struct wire *p, int row, const struct wire_names *nodes,
                                struct frame_spring *to, struct why *why)
 {
     const struct sheet *t = &p->springs;
-    enum status s = wire_find(t, row, SPRING_A, "node", &p->nodes, nodes, &to->a, why);
+    enum status s = wire_find(t, row, SPRING_A, "node", nodes, &to->a, why);
 
     to->b = -1;
     if (s == SW_OK && sheet_text(t, row, SPRING_B)[0] != '\0')
-        s = wire_find(t, row, SPRING_B, "node", &p->nodes, nodes, &to->b, why);
+        s = wire_find(t, row, SPRING_B, "node", nodes, &to->b, why);
     if (s == SW_OK && to->a == to->b)
         s = sheet_fail(why, t, row, "both ends are node '%.60s'", wire_node(p, to->a));
     for (int c = 0; c < 6 && s == SW_OK; c++)
@@ -147,12 +159,12 @@ static enum status take_spring(struct wire *p, int row, const struct sheet_index
     return s == SW_OK ? take_axes(t, row, to->B, why) : s;
 }
 
-enum status wire_take_springs(struct wire *p, const struct sheet_index *nodes, struct why *why)
+enum status wire_take_springs(struct wire *p, const struct wire_names *nodes, struct why *why)
 {
-    struct sheet_index names;
-    enum status s = sheet_sort(&p->springs, SPRING, &names, why);
+    struct wire_names names = {.index = {NULL, 0}};
+    enum status s = wire_names_new(&p->springs, &names, why);
 
-    free(names.row);
+    wire_names_free(&names);
     p->frame.spring = mem_zeroed((size_t)p->springs.n, sizeof *p->frame.spring);
     if (s == SW_OK && !p->frame.spring)
         s = fail_plain(why, SW_NOMEM);
@@ -209,8 +221,8 @@ static enum status add_element_load(struct wire *p, int element, const double q[
     return s;
 }
 
-static enum status take_load(struct wire *p, int row, const struct sheet_index *nodes,
-                             const struct sheet_index *elements, struct why *why)
+static enum status take_load(struct wire *p, int row, const struct wire_names *nodes,
+                             const struct wire_names *elements, struct why *why)
 {
     const struct sheet *t = &p->loads;
     int of_node = sheet_text(t, row, LOAD_NODE)[0] != '\0', at = 0;
@@ -225,8 +237,8 @@ static enum status take_load(struct wire *p, int row, const struct sheet_index *
         if (sheet_text(t, row, other + c)[0] != '\0')
             return sheet_fail(why, t, row, "%s does not belong to a load of %s",
                               wire_load_column[other + c].name, of_node ? "a node" : "an element");
-    s = of_node ? wire_find(t, row, LOAD_NODE, "node", &p->nodes, nodes, &at, why)
-                : wire_find(t, row, LOAD_ELEMENT, "element", &p->elements, elements, &at, why);
+    s = of_node ? wire_find(t, row, LOAD_NODE, "node", nodes, &at, why)
+                : wire_find(t, row, LOAD_ELEMENT, "element", elements, &at, why);
     for (int c = 0; c < n && s == SW_OK; c++)
         s = sheet_number(t, row, first + c, -WIRE_BIG, WIRE_BIG, 0, &load.value[c], why);
     if (s == SW_OK)
@@ -237,8 +249,8 @@ static enum status take_load(struct wire *p, int row, const struct sheet_index *
     return of_node ? add_load(p, &load, why) : add_element_load(p, at, load.value, load.stage, why);
 }
 
-enum status wire_take_loads(struct wire *p, const struct sheet_index *nodes,
-                            const struct sheet_index *elements, struct why *why)
+enum status wire_take_loads(struct wire *p, const struct wire_names *nodes,
+                            const struct wire_names *elements, struct why *why)
 {
     const double *g = p->c.gravity;
     enum status s = SW_OK;

@@ -40,21 +40,30 @@ extern const struct sheet_column wire_node_column[N_NODE], wire_element_column[N
     wire_section_column[N_SECTION], wire_support_column[N_SUPPORT], wire_load_column[N_LOAD],
     wire_spring_column[N_SPRING];
 
+/* Names of the rows of a table, for wire_find.  Owned. */
+struct wire_names {
+    struct roll roll;
+    struct roll_index index;
+};
+
+/* SW_FORMAT: a name is empty or there twice; SW_NOMEM; to be freed in each case. */
+enum status wire_names_new(const struct sheet *s, struct wire_names *ret, struct why *why);
+void wire_names_free(struct wire_names *n);
+
 /* Three cells as a unit vector; *ret_given: whether they are there. */
 enum status wire_direction(const struct sheet *t, int row, int column, double ret[3],
                            int *ret_given, struct why *why);
 
 /* The row called by the cell of a table; SW_FORMAT: there is none. */
 enum status wire_find(const struct sheet *from, int row, int column, const char *kind,
-                      const struct sheet *in, const struct sheet_index *index, int *ret,
-                      struct why *why);
+                      const struct wire_names *in, int *ret, struct why *why);
 
 /* Sections, supports, springs, loads of the frame; nodes and beams are there.  SW_FORMAT, SW_NOMEM.
  */
 enum status wire_take_sections(struct wire *p, struct why *why);
-enum status wire_take_supports(struct wire *p, const struct sheet_index *nodes, struct why *why);
-enum status wire_take_springs(struct wire *p, const struct sheet_index *nodes, struct why *why);
-enum status wire_take_loads(struct wire *p, const struct sheet_index *nodes,
-                            const struct sheet_index *elements, struct why *why);
+enum status wire_take_supports(struct wire *p, const struct wire_names *nodes, struct why *why);
+enum status wire_take_springs(struct wire *p, const struct wire_names *nodes, struct why *why);
+enum status wire_take_loads(struct wire *p, const struct wire_names *nodes,
+                            const struct wire_names *elements, struct why *why);
 
 #endif

@@ -1,8 +1,10 @@
 /* Small dense problems by LAPACK. */
 #include "num/dense.h"
+#include "num/mem.h"
 
 #include <cblas.h>
 #include <lapacke.h>
+#include <stdlib.h>
 
 /* Status of an info that is not 0 for the reason given. */
 static enum status judge(int info, enum status reason)
@@ -48,4 +50,15 @@ enum status dense_general(int n, double *A, double *re, double *im, double *x)
 void dense_threads(int n)
 {
     openblas_set_num_threads(n);
+}
+
+enum status dense_solve(int n, double *A, int m, double *b)
+{
+    lapack_int *pivot = mem_zeroed((size_t)n, sizeof *pivot), info;
+
+    if (!pivot)
+        return SW_NOMEM;
+    info = LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, m, A, n, pivot, b, n);
+    free(pivot);
+    return info > 0 ? SW_INDEFINITE : SW_OK;
 }

@@ -22,6 +22,9 @@ enum status dense_pencil(int n, double *A, double *B, double *lambda);
  * im > 0 first, has x_k + i x_(k+1).  SW_NOCONV. */
 enum status dense_general(int n, double *A, double *re, double *im, double *x);
 
+/* A x = b for m columns of b, general; both are overwritten, b by x.  SW_INDEFINITE: singular. */
+enum status dense_solve(int n, double *A, int m, double *b);
+
 /* Threads that BLAS and LAPACK may use in each call. */
 void dense_threads(int n);
 

@@ -9,6 +9,8 @@
 #include <string.h>
 
 #define ENOUGH 0.3      /* of the first slope: a shortened step ends there */
+#define FEWER_TRIALS 25 /* over a bed */
+#define NEARER 0.25     /* of what is missing, squared: a step that does so is good */
 #define TRIALS 80       /* of a step's length */
 #define ROUND_OFF 1e-13 /* of the products of tensions and lengths */
 #define BRIEF 0.1       /* a short step */
@@ -19,7 +21,6 @@
 #define GIVE_UP 0.9     /* a stage that takes off less is none */
 #define STAGES 28       /* of smoothing, two for a power of ten */
 #define ROUGH 1e-7      /* smoothing, of a rope's load, with which a solution is looked for */
-#define SHARP 1e-12     /* with which it ends */
 #define SHARPEN 50      /* steps for a power of ten between them */
 #define CLOSED 1e-13    /* a gap that no step makes smaller */
 #define POLISH 3        /* steps behind the tolerance that may still bring something */
@@ -41,7 +42,7 @@ static double slope(const struct net *net, const struct net_work *w)
     double sum = 0;
 
     for (int i = 0; i < 3 * net->m; i++)
-        if (!net_is_bar(&net->rope[i / 3]))
+        if (!net_is_placed(&net->rope[i / 3]))
             sum -= w->gap[i] * w->dt[i];
     for (int i = 0; i < 3 * net->n; i++)
         if (w->dof[i] >= 0)
@@ -61,10 +62,25 @@ static double round_off(const struct net *net, const struct net_state *s, const 
 
         for (int i = 0; i < 3; i++)
             moved += fabs(w->dx[3 * p->b + i] - w->dx[3 * p->a + i]);
+        if (p->over) /* forces that follow from positions */
+            sum += net_length(w->pull + 6 * r) * p->rope.L0 + p->rope.law.EA * moved;
         sum += net_length(s->t + 3 * r) * p->rope.L0 +
                (K[SYM_XX] + K[SYM_YY] + K[SYM_ZZ]) * gap * (gap + moved);
     }
     return ROUND_OFF * sum;
+}
+
+/* Gaps over the size and residuals over the largest tension, squared. */
+static double missing(const struct net *net, const struct net_state *s, const struct net_work *w)
+{
+    double sum = 0;
+
+    for (int i = 0; i < 3 * net->m; i++)
+        sum += w->gap[i] * w->gap[i] / (s->size * s->size);
+    for (int i = 0; i < 3 * net->n; i++)
+        if (w->dof[i] >= 0)
+            sum += w->residual[i] * w->residual[i] / (s->scale * s->scale);
+    return sum;
 }
 
 /* A factor at which the slope has nearly vanished, or the whole step: by regula falsi (Illinois).
@@ -72,13 +88,15 @@ static double round_off(const struct net *net, const struct net_state *s, const 
 static double search(const struct net *net, const struct net_state *s, struct net_work *w)
 {
     double first = slope(net, w), low = 0, high = 1, at_low = first, at_high, factor = 1;
-    double enough = ENOUGH * fabs(first) + round_off(net, s, w);
+    double enough = ENOUGH * fabs(first) + round_off(net, s, w), before = missing(net, s, w);
 
     try_step(net, s, 1, w);
     at_high = slope(net, w);
     if (at_high <= enough)
         return 1;
-    for (int k = 0; k < TRIALS; k++) {
+    if (w->hard > 0 && missing(net, s, w) < NEARER * before)
+        return 1; /* friction and slopes of the bed are no convex ground */
+    for (int k = 0; k < (w->hard > 0 ? FEWER_TRIALS : TRIALS); k++) {
         double now;
 
         factor = isfinite(at_high) ? (low * at_high - high * at_low) / (at_high - at_low)
@@ -128,7 +146,7 @@ static void refer_to_ends(const struct net *net, double *t)
 }
 
 /* tolerance 0: near enough for a stage on the way. */
-static int is_met(const struct net_step *p, const struct net_state *s, double tolerance)
+int net_is_met(const struct net_step *p, const struct net_state *s, double tolerance)
 {
     if (tolerance == 0)
         return p->gap_of_rope <= STAGE && p->residual <= STAGE * s->scale;
@@ -142,7 +160,7 @@ static void approximate(const struct net *net, const struct net_options *o, cons
     for (int r = 0; r < net->m; r++) {
         const struct rope *p = &net->rope[r].rope;
 
-        if (!net_is_bar(&net->rope[r]))
+        if (!net_is_placed(&net->rope[r]))
             net_rough_stiffness(p, o->start, t + 3 * r, w->reference, w->K + SYM * r);
     }
 }
@@ -169,10 +187,8 @@ static int stiffen_bars(const struct net *net, const double *x, struct net_work 
     return any;
 }
 
-/* Steps until the bounds are met, and a few more while they still bring something; at most to
- * step number `last`, or until so many steps in a row were short. */
-static enum status iterate(const struct net *net, const struct net_options *o, double tolerance,
-                           int last, int patience, struct net_work *w, struct net_state *s)
+enum status net_iterate(const struct net *net, const struct net_options *o, double tolerance,
+                        int last, int patience, struct net_work *w, struct net_state *s)
 {
     int polish = 0, brief = 0;
 
@@ -182,7 +198,7 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
         s->step[0] = net_measure(net, s->t, w, s);
     while (s->steps < last && brief < patience) {
         struct net_step before = net_measure(net, s->t, w, s), now;
-        int met = is_met(&before, s, tolerance);
+        int met = net_is_met(&before, s, tolerance);
         enum status status;
         double factor;
 
@@ -212,7 +228,7 @@ static enum status iterate(const struct net *net, const struct net_options *o, d
     {
         struct net_step end = net_measure(net, s->t, w, s);
 
-        return is_met(&end, s, tolerance) ? SW_OK : SW_NOCONV;
+        return net_is_met(&end, s, tolerance) ? SW_OK : SW_NOCONV;
     }
 }
 
@@ -251,8 +267,8 @@ static enum status iterate_softly(struct net *net, const struct net_options *o, 
         int before = s->steps, first = last == give, room = first ? 4 * SOFT_STEPS : SOFT_STEPS;
 
         set_give(net, give, w->reference);
-        status = iterate(net, o, 0, before + room < o->steps ? before + room : o->steps,
-                         first ? INT_MAX : 1, w, s);
+        status = net_iterate(net, o, 0, before + room < o->steps ? before + room : o->steps,
+                             first ? INT_MAX : 1, w, s);
         refer_to_ends(net, s->t);
         if (status == SW_OK) {
             memcpy(x, s->x, nx);
@@ -271,7 +287,7 @@ static enum status iterate_softly(struct net *net, const struct net_options *o, 
     }
     set_give(net, 0, w->reference);
     if (status == SW_OK)
-        status = iterate(net, o, o->tolerance, o->steps, 4 * SHORT_STEPS, w, s);
+        status = net_iterate(net, o, o->tolerance, o->steps, 4 * SHORT_STEPS, w, s);
     free(x);
     free(t);
     return status;
@@ -291,7 +307,7 @@ static enum status iterate_smoothly(struct net *net, const struct net_options *o
         int last = k == STAGES;
 
         net_smooth(net, ROUGH, w->reference, last ? 0 : w->reference * pow(0.1, k / 2.0));
-        status = iterate(net, o, last ? o->tolerance : 0, o->steps, INT_MAX, w, s);
+        status = net_iterate(net, o, last ? o->tolerance : 0, o->steps, INT_MAX, w, s);
         if (status == SW_NOCONV && !last)
             status = SW_OK;
     }
@@ -311,7 +327,7 @@ static void foresee(const struct net *net, int known, double *x, double *t, stru
     for (int i = 0; i < 3 * net->m; i++) {
         double now = s->t[i] + net->rope[i / 3].rope.offset[i % 3];
 
-        s->t[i] += known && !net_is_bar(&net->rope[i / 3]) ? (now - t[i]) / 10 : 0;
+        s->t[i] += known && !net_is_placed(&net->rope[i / 3]) ? (now - t[i]) / 10 : 0;
         t[i] = now;
     }
 }
@@ -323,13 +339,14 @@ static enum status sharpen(struct net *net, const struct net_options *o, struct 
     double *x = mem_doubles(3 * (size_t)net->n), *t = mem_doubles(3 * (size_t)net->m);
     enum status status = x && t ? SW_OK : SW_NOMEM;
 
-    for (double part = ROUGH / 10; part > SHARP / 2 && status == SW_OK; part /= 10) {
+    for (double part = ROUGH / 10; part > NET_SHARP / 2 && status == SW_OK; part /= 10) {
         int last = s->steps + SHARPEN;
 
         foresee(net, part < ROUGH / 20, x, t, s);
         net_smooth(net, part, w->reference, 0);
-        status = iterate(net, o, o->tolerance, last < o->steps ? last : o->steps, INT_MAX, w, s);
-        if (status == SW_NOCONV && part > 2 * SHARP)
+        status =
+            net_iterate(net, o, o->tolerance, last < o->steps ? last : o->steps, INT_MAX, w, s);
+        if (status == SW_NOCONV && part > 2 * NET_SHARP)
             status = SW_OK;
     }
     free(x);
@@ -338,10 +355,10 @@ static enum status sharpen(struct net *net, const struct net_options *o, struct 
 }
 
 /* One way after the other, from the quickest to the safest. */
-static enum status iterate_all_ways(struct net *net, const struct net_options *o,
-                                    struct net_work *w, struct net_state *s)
+enum status net_iterate_all_ways(struct net *net, const struct net_options *o, struct net_work *w,
+                                 struct net_state *s)
 {
-    enum status status = iterate(net, o, o->tolerance, o->steps, SHORT_STEPS, w, s);
+    enum status status = net_iterate(net, o, o->tolerance, o->steps, SHORT_STEPS, w, s);
 
     if (status == SW_OK || s->steps == o->steps)
         return status;
@@ -350,77 +367,4 @@ static enum status iterate_all_ways(struct net *net, const struct net_options *o
     if (status == SW_NOCONV && s->steps < o->steps)
         status = iterate_smoothly(net, o, w, s);
     return status == SW_OK ? sharpen(net, o, w, s) : status;
-}
-
-static enum status new_state(const struct net *net, const struct net_options *o,
-                             struct net_state *s)
-{
-    *s = (struct net_state){.worst = -1};
-    s->x = mem_doubles(3 * (size_t)net->n);
-    s->t = mem_doubles(3 * (size_t)net->m);
-    s->residual = mem_doubles(3 * (size_t)net->n);
-    s->step = mem_zeroed((size_t)o->steps + 1, sizeof *s->step);
-    return s->x && s->t && s->residual && s->step ? SW_OK : SW_NOMEM;
-}
-
-void net_state_free(struct net_state *s)
-{
-    free(s->x);
-    free(s->t);
-    free(s->residual);
-    free(s->step);
-    *s = (struct net_state){.x = NULL};
-}
-
-/* What the last evaluation says, and the way there. */
-static enum status conclude(const struct net *net, const struct net_options *o, enum status s,
-                            const struct net_work *w, struct net_state *ret)
-{
-    struct net_step end;
-
-    if (s != SW_OK && s != SW_NOCONV)
-        return s;
-    memcpy(ret->residual, w->residual, 3 * sizeof *ret->residual * (size_t)net->n);
-    for (int r = 0; r < net->m; r++) /* bars follow from the positions */
-        if (net_is_bar(&net->rope[r]))
-            memcpy(ret->t + 3 * r, w->bar + 3 * r, 3 * sizeof *ret->t);
-    end = net_measure(net, ret->t, w, ret);
-    end.factor = ret->step[ret->steps].factor;
-    ret->step[ret->steps] = end; /* what there is, by whatever method */
-    return is_met(&end, ret, o->tolerance) ? SW_OK : SW_NOCONV;
-}
-
-enum status net_solve(struct net *net, const struct net_options *o, struct net_state *ret)
-{
-    struct net_work w = {.dof = NULL};
-    enum status s = new_state(net, o, ret);
-
-    if (s == SW_OK)
-        s = net_work_new(net, &w);
-    if (s == SW_OK) {
-        ret->size = net_size(net);
-        w.reference = net_reference(net);
-        net_smooth(net, SHARP, w.reference, 0);
-        for (int r = 0; r < net->m; r++)
-            memset(net->rope[r].rope.offset, 0, sizeof net->rope[r].rope.offset);
-        if (o->method == NET_IMAGINARY)
-            s = net_imaginary(net, o, &w, ret);
-        else if (o->method == NET_DISPLACEMENT)
-            s = net_displace(net, o, &w, ret);
-        else
-            s = net_begin(net, &w, ret);
-    }
-    if (s == SW_OK && o->method == NET_GAP)
-        s = iterate_all_ways(net, o, &w, ret);
-    s = conclude(net, o, s, &w, ret);
-    net_work_free(&w);
-    if (s == SW_NOMEM)
-        net_state_free(ret);
-    return s;
-}
-
-enum status net_iterate(const struct net *net, const struct net_options *o, struct net_work *w,
-                        struct net_state *s)
-{
-    return iterate(net, o, o->tolerance, o->steps, INT_MAX, w, s);
 }

@@ -1,11 +1,14 @@
 /* Forces of systems of ropes: of nodes, bars and ropes, what is missing to their balance, and the
  * step that would close it. */
+#include "num/dense.h"
 #include "phys/network.h"
 
 #include <math.h>
 #include <string.h>
 
 #define PART 1e-5   /* of the reference force: less than that is no tension to compare with */
+#define REST 1e-10  /* of the bed's hardness: stiffness of what nothing holds */
+#define STIFFER 10  /* powers of ten above that */
 #define THREADS 512 /* ropes from which threads share them */
 
 void net_node_force(const struct net_node *node, const double x[3], double f[3], double K[SYM])
@@ -71,6 +74,12 @@ static void evaluate_rope(const struct net *net, const double *x, const double *
     const double *a = x + 3 * p->a, *b = x + 3 * p->b;
     double *gap = w->gap + 3 * r, *K = w->K + SYM * r, F[SYM], chord[3];
 
+    if (p->over) {
+        gap[0] = gap[1] = gap[2] = 0;
+        if (!net_over(net, p, a, b, w->pull + 6 * (size_t)r, w->over, w->over_K + 36 * (size_t)r))
+            w->pull[6 * (size_t)r] = NAN;
+        return;
+    }
     if (net_is_bar(p)) {
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 
@@ -93,13 +102,17 @@ static void evaluate_ropes(const struct net *net, const double *x, const double 
         evaluate_rope(net, x, t, r, w);
 }
 
-/* Tension of rope r at both ends, towards b. */
-static void ends(const struct net *net, const double *t, const struct net_work *w, int r,
-                 double ta[3], double tb[3])
+void net_ends_now(const struct net *net, const double *t, const struct net_work *w, int r,
+                  double ta[3], double tb[3])
 {
     const struct net_rope *p = &net->rope[r];
     double load[3] = {0, 0, 0};
 
+    if (p->over) {
+        memcpy(ta, w->pull + 6 * (size_t)r, 3 * sizeof *ta);
+        memcpy(tb, w->pull + 6 * (size_t)r + 3, 3 * sizeof *tb);
+        return;
+    }
     memcpy(ta, net_is_bar(p) ? w->bar + 3 * r : t + 3 * r, 3 * sizeof *ta);
     if (!net_is_bar(p))
         rope_load(&p->rope, load);
@@ -109,17 +122,57 @@ static void ends(const struct net *net, const double *t, const struct net_work *
     }
 }
 
+/* Where the bed pushes node i to, per unit upwards; joints of ropes in the rope's heading only. */
+void net_bed_normal(const struct net *net, const double *x, int i, double n[3])
+{
+    const double *way = net->node[i].way;
+    double g[2], along;
+
+    bed_at(&net->sea->bed, x[3 * i], x[3 * i + 1], g);
+    along = g[0] * way[0] + g[1] * way[1];
+    for (int c = 0; c < 2; c++)
+        n[c] = way[0] == 0 && way[1] == 0 ? -g[c] : -along * way[c];
+    n[2] = 1;
+}
+
+void net_add_bed(const struct net *net, const double *x, int i, double hard, struct net_work *w)
+{
+    double n[3];
+
+    net_bed_normal(net, x, i, n);
+    for (int c = 0, at = 0; c < 3; c++)
+        for (int d = c; d < 3; d++, at++)
+            w->node_K[SYM * i + at] += hard * n[c] * n[d];
+}
+
+/* The bed under node i at x: it pushes as it is counted on, less where the node is above it, more
+ * where it sinks in; nodes that are held in height are left alone. */
+static void push_up(const struct net *net, const double *x, int i, struct net_work *w)
+{
+    double n[3], deep = bed_at(&net->sea->bed, x[3 * i], x[3 * i + 1], NULL) - x[3 * i + 2];
+
+    w->push[i] = net->node[i].held & 4 ? 0 : fmax(0, w->lean[i] + w->hard * deep);
+    if (!(w->push[i] > 0))
+        return;
+    net_bed_normal(net, x, i, n);
+    for (int c = 0; c < 3; c++)
+        w->residual[3 * i + c] += w->push[i] * n[c];
+    net_add_bed(net, x, i, w->hard, w);
+}
+
 /* Residual of all nodes at x and t: forces of ropes and from outside. */
 static void evaluate_nodes(const struct net *net, const double *x, const double *t,
                            struct net_work *w)
 {
     for (int i = 0; i < net->n; i++)
         net_node_force(&net->node[i], x + 3 * i, w->residual + 3 * i, w->node_K + SYM * i);
+    for (int i = 0; i < net->n && w->hard > 0; i++)
+        push_up(net, x, i, w);
     for (int r = 0; r < net->m; r++) {
         const struct net_rope *p = &net->rope[r];
         double ta[3], tb[3], end[3];
 
-        ends(net, t, w, r, ta, tb);
+        net_ends_now(net, t, w, r, ta, tb);
         rope_end_load(&p->rope, end);
         for (int i = 0; i < 3; i++) {
             w->residual[3 * p->a + i] += ta[i] + end[i];
@@ -145,11 +198,11 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
     for (int r = 0; r < net->m; r++) {
         double gap = net_length(w->gap + 3 * r) / s->size, ta[3], tb[3];
 
-        ends(net, t, w, r, ta, tb);
+        net_ends_now(net, t, w, r, ta, tb);
         s->most = fmax(s->most, fmax(net_length(ta), net_length(tb)));
         s->scale = fmax(s->scale, s->most);
         ret.mean_gap += gap;
-        counted += !net_is_bar(&net->rope[r]);
+        counted += !net_is_placed(&net->rope[r]);
         if (!(gap <= ret.largest_gap))
             ret.largest_gap = gap;
         gap *= s->size / net->rope[r].rope.L0;
@@ -166,6 +219,47 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
         }
     }
     return ret;
+}
+
+/* The symmetric part of a block, 6 x 6, without what is negative in it. */
+static enum status make_convex(double *K)
+{
+    double X[36], lambda[6];
+    enum status s;
+
+    for (int i = 0; i < 36; i++)
+        X[i] = (K[i] + K[i / 6 + 6 * (i % 6)]) / 2;
+    s = dense_symmetric(6, X, lambda);
+    for (int i = 0; i < 36 && s == SW_OK; i++) {
+        K[i] = 0;
+        for (int k = 0; k < 6; k++)
+            K[i] += fmax(0, lambda[k]) * X[i % 6 + 6 * k] * X[i / 6 + 6 * k];
+    }
+    return s;
+}
+
+/*
+ * On a bed nodes may rest where nothing holds them sideways, among slack ropes; and on a slope or
+ * with friction ropes are not quite symmetric.  The positive part, and a small resistance to any
+ * displacement change the way, not where it ends.
+ */
+static enum status stiffen(const struct net *net, struct net_work *w)
+{
+    enum status s = SW_OK;
+
+    for (int r = 0; r < net->m && s == SW_OK; r++)
+        if (net->rope[r].over)
+            s = make_convex(w->over_K + 36 * (size_t)r);
+    if (s != SW_OK)
+        return s;
+    net_assemble(net, w);
+    s = SW_INDEFINITE;
+    for (int k = 0; k < STIFFER && s == SW_INDEFINITE; k++) {
+        for (int i = 0; i < w->unknowns; i++)
+            w->A.value[sparse_at(&w->A, i, i)] += pow(10, k) * REST * w->hard;
+        s = sparse_factor(&w->A);
+    }
+    return s;
 }
 
 enum status net_find_step(const struct net *net, struct net_work *w, int *ret_worst)
@@ -189,6 +283,8 @@ enum status net_find_step(const struct net *net, struct net_work *w, int *ret_wo
         }
     }
     s = sparse_factor(&w->A);
+    if (s == SW_INDEFINITE && w->hard > 0)
+        s = stiffen(net, w);
     if (s == SW_INDEFINITE)
         *ret_worst = net_node_of(net, w, w->A.failed);
     if (s == SW_OK)

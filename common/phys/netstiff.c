@@ -1,4 +1,4 @@
-/* Stiffness of chosen nodes, condensed on the rest; ends; what no method can solve. */
+/* Stiffness of chosen nodes, condensed on the rest; what no method can solve. */
 #include "num/mem.h"
 #include "phys/network.h"
 
@@ -6,146 +6,198 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Column j of chosen node c against the free unknowns: A_fc, into rhs. */
-static void couple(const struct net *net, const struct net_work *w, int node, int j, double *rhs)
+#define FIRM 1e9   /* of the bed, in place of the softness with which it was looked for */
+#define PASSES 300 /* of refinement */
+#define DONE 1e-12 /* of the first correction */
+
+/* The system at its equilibrium, chosen nodes held. */
+struct stand {
+    struct net net;
+    const struct net_state *s;
+    struct net_work w;
+    double *u, *f; /* (n, 3) displacements and the forces that they need */
+};
+
+/* f += a block of 6 x 6, column-major, times the displacements of the ends of p. */
+static void add_block(const struct net_rope *p, const double *K, const double *u, double *f)
 {
-    double unit[3] = {0, 0, 0}, force[3];
+    const double *at[2] = {u + 3 * p->a, u + 3 * p->b};
+    double *to[2] = {f + 3 * p->a, f + 3 * p->b};
 
-    unit[j] = 1;
-    memset(rhs, 0, sizeof *rhs * (size_t)w->unknowns);
-    for (int r = 0; r < net->m; r++) {
-        int a = net->rope[r].a, b = net->rope[r].b, other = a == node ? b : a;
+    for (int j = 0; j < 6; j++)
+        for (int i = 0; i < 6; i++)
+            to[i / 3][i % 3] += K[i + 6 * j] * at[j / 3][j % 3];
+}
 
-        if (a != node && b != node)
-            continue;
-        sym_times(w->K + SYM * r, unit, force);
-        for (int i = 0; i < 3; i++)
-            if (w->dof[3 * other + i] >= 0)
-                rhs[w->dof[3 * other + i]] -= force[i];
+/* The drag of an element: - d(half to each end)/d(x_a, x_b). */
+static void drag_block(const struct stand *g, const struct net_rope *p, double K[36])
+{
+    const double *a = g->s->x + 3 * p->a, *b = g->s->x + 3 * p->b;
+    double U[3], slope[3], c[3], by_c[9], by_U[9], l = 0;
+
+    for (int i = 0; i < 3; i++) {
+        c[i] = b[i] - a[i];
+        l += c[i] * c[i];
+    }
+    l = sqrt(l);
+    memset(K, 0, 36 * sizeof *K);
+    if (!(l > 0))
+        return;
+    for (int i = 0; i < 3; i++)
+        c[i] /= l;
+    current_at(&g->net.sea->current, (a[2] + b[2]) / 2, U, slope);
+    sea_drag_change(p->across, p->along, p->rope.L0, c, U, by_c, by_U);
+    for (int i = 0; i < 3; i++) {
+        double turned = 0, sheared = 0;
+
+        for (int k = 0; k < 3; k++) {
+            turned += by_c[3 * i + k] * c[k];
+            sheared += by_U[3 * i + k] * slope[k];
+        }
+        for (int j = 0; j < 3; j++) {
+            double turn = (by_c[3 * i + j] - turned * c[j]) / l / 2;
+            double shear = j == 2 ? sheared / 4 : 0;
+
+            for (int end = 0; end < 2; end++) {
+                K[3 * end + i + 6 * j] = turn - shear;
+                K[3 * end + i + 6 * (3 + j)] = -turn - shear;
+            }
+        }
     }
 }
 
-/* Forces on all chosen nodes for the displacements x of free ones (by unknown) and a unit
- * displacement j of chosen node number c. */
-static void reactions(const struct net *net, const struct net_work *w, const int *chosen, int k,
-                      int c, int j, const double *x, double *ret)
+/* The drag of a node: it changes with its height. */
+static void add_node_drag(const struct stand *g, int i, const double *u, double *f)
 {
-    double *all = w->x1; /* work space: displacements of all nodes */
+    double U[3], slope[3], speed, along = 0;
 
-    memset(all, 0, 3 * sizeof *all * (size_t)net->n);
-    for (int i = 0; i < 3 * net->n; i++)
-        if (w->dof[i] >= 0)
-            all[i] = x[w->dof[i]];
-    all[3 * chosen[c] + j] = 1;
-    memset(w->residual, 0, 3 * sizeof *w->residual * (size_t)net->n);
-    for (int r = 0; r < net->m; r++) {
-        int a = net->rope[r].a, b = net->rope[r].b;
-        double stretch[3], force[3];
+    current_at(&g->net.sea->current, g->s->x[3 * i + 2], U, slope);
+    speed = net_length(U);
+    for (int c = 0; c < 3; c++)
+        along += speed > 0 ? U[c] * slope[c] / speed : 0;
+    for (int c = 0; c < 3; c++)
+        f[3 * i + c] -= g->net.node[i].drag * (speed * slope[c] + along * U[c]) * u[3 * i + 2];
+}
 
-        for (int i = 0; i < 3; i++)
-            stretch[i] = all[3 * b + i] - all[3 * a + i];
-        sym_times(w->K + SYM * r, stretch, force);
-        for (int i = 0; i < 3; i++) {
-            w->residual[3 * a + i] -= force[i];
-            w->residual[3 * b + i] += force[i];
-        }
-    }
-    for (int d = 0; d < k; d++) {
+/* g->f: forces that the displacements g->u need, all of them, also what is not symmetric. */
+static void apply(const struct stand *g)
+{
+    const struct net *net = &g->net;
+    int flows = net->sea && net->sea->current.n > 0;
+
+    memset(g->f, 0, 3 * sizeof *g->f * (size_t)net->n);
+    for (int i = 0; i < net->n; i++) {
         double own[3];
 
-        sym_times(w->node_K + SYM * chosen[d], all + 3 * chosen[d], own);
-        for (int i = 0; i < 3; i++)
-            ret[3 * d + i] = w->residual[3 * chosen[d] + i] + own[i];
+        sym_times(g->w.node_K + SYM * i, g->u + 3 * i, own);
+        for (int c = 0; c < 3; c++)
+            g->f[3 * i + c] += own[c];
+        if (flows && net->node[i].drag > 0)
+            add_node_drag(g, i, g->u, g->f);
     }
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        double stretch[3], force[3], K[36];
+
+        if (p->over) {
+            add_block(p, g->w.over_K + 36 * (size_t)r, g->u, g->f);
+            continue;
+        }
+        for (int i = 0; i < 3; i++)
+            stretch[i] = g->u[3 * p->b + i] - g->u[3 * p->a + i];
+        sym_times(g->w.K + SYM * r, stretch, force);
+        for (int i = 0; i < 3; i++) {
+            g->f[3 * p->a + i] -= force[i];
+            g->f[3 * p->b + i] += force[i];
+        }
+        if (flows) {
+            drag_block(g, p, K);
+            add_block(p, K, g->u, g->f);
+        }
+    }
+}
+
+/* g->u of all that is free follows what is given for the rest: by the symmetric part, until what is
+ * left of the whole is nothing.  SW_NOCONV: the rest is no small part. */
+static enum status follow_on(struct stand *g)
+{
+    double first = 0, left = 0;
+
+    for (int pass = 0; pass < PASSES; pass++) {
+        enum status s;
+
+        apply(g);
+        left = 0;
+        for (int i = 0; i < 3 * g->net.n; i++)
+            if (g->w.dof[i] >= 0)
+                g->w.rhs[g->w.dof[i]] = -g->f[i];
+        s = sparse_solve(&g->w.A, 1, g->w.rhs);
+        if (s != SW_OK)
+            return s;
+        for (int i = 0; i < 3 * g->net.n; i++)
+            if (g->w.dof[i] >= 0) {
+                g->u[i] += g->w.rhs[g->w.dof[i]];
+                left = fmax(left, fabs(g->w.rhs[g->w.dof[i]]));
+            }
+        if (pass == 0)
+            first = left;
+        if (!(left > DONE * first))
+            return SW_OK;
+    }
+    return SW_NOCONV;
+}
+
+/* Stand at the state s of net with the chosen nodes held, the matrix factored. */
+static enum status stand_still(const struct net *net, const struct net_state *s, const int *chosen,
+                               int k, struct stand *g)
+{
+    enum status status;
+
+    *g = (struct stand){.net = *net, .s = s};
+    g->net.node = mem_copy(net->node, sizeof *net->node * (size_t)net->n);
+    g->u = mem_doubles(3 * (size_t)net->n);
+    g->f = mem_doubles(3 * (size_t)net->n);
+    if (!g->net.node || !g->u || !g->f)
+        return SW_NOMEM;
+    for (int i = 0; i < k; i++)
+        g->net.node[chosen[i]].held = 7;
+    status = net_work_new(&g->net, &g->w);
+    if (status != SW_OK)
+        return status;
+    g->w.reference = net_reference(net);
+    g->w.hard = s->hard;
+    g->w.over = OVER_EXACT;
+    if (s->hard > 0)
+        memcpy(g->w.lean, s->push, sizeof *s->push * (size_t)net->n);
+    net_evaluate(&g->net, s->x, s->t, &g->w);
+    for (int i = 0; i < net->n && s->hard > 0; i++)
+        if (g->w.push[i] > 0)
+            net_add_bed(&g->net, s->x, i, FIRM * s->hard, &g->w);
+    net_assemble(&g->net, &g->w);
+    return sparse_factor(&g->w.A);
 }
 
 enum status net_stiffness(const struct net *net, const struct net_state *s, const int *chosen,
                           int k, double *K)
 {
-    struct net held = *net;
-    struct net_work w = {.dof = NULL};
-    enum status status = SW_NOMEM;
+    struct stand g;
+    enum status status;
 
-    held.node = mem_copy(net->node, sizeof *net->node * (size_t)net->n);
-    if (!held.node)
-        return SW_NOMEM;
-    for (int i = 0; i < k; i++)
-        held.node[chosen[i]].held = 7;
-    status = net_work_new(&held, &w);
-    w.reference = net_reference(net);
-    if (status == SW_OK) {
-        net_evaluate(&held, s->x, s->t, &w);
-        net_assemble(&held, &w);
-        status = sparse_factor(&w.A);
+    if (s->fine)
+        return net_stiffness(&s->fine->split.fine, &s->fine->state, chosen, k, K);
+    status = stand_still(net, s, chosen, k, &g);
+    for (int j = 0; j < 3 * k && status == SW_OK; j++) {
+        memset(g.u, 0, 3 * sizeof *g.u * (size_t)net->n);
+        g.u[3 * chosen[j / 3] + j % 3] = 1;
+        status = follow_on(&g);
+        for (int i = 0; i < 3 * k; i++)
+            K[i + 3 * k * j] = g.f[3 * chosen[i / 3] + i % 3];
     }
-    for (int i = 0; i < 3 * k && status == SW_OK; i++) {
-        couple(&held, &w, chosen[i / 3], i % 3, w.rhs);
-        for (int u = 0; u < w.unknowns; u++)
-            w.rhs[u] = -w.rhs[u];
-        status = sparse_solve(&w.A, 1, w.rhs);
-        if (status == SW_OK)
-            reactions(&held, &w, chosen, k, i / 3, i % 3, w.rhs, K + 3 * k * i);
-    }
-    net_work_free(&w);
-    free(held.node);
+    net_work_free(&g.w);
+    free(g.net.node);
+    free(g.u);
+    free(g.f);
     return status;
-}
-
-/* Displacement of a point at r of the body for its j-th freedom: along x, y, z, about x, y, z. */
-static void follow(int j, const double r[3], double ret[3])
-{
-    ret[0] = ret[1] = ret[2] = 0;
-    if (j < 3) {
-        ret[j] = 1;
-        return;
-    }
-    ret[(j + 1) % 3] = -r[(j + 2) % 3]; /* unit rotation times r */
-    ret[(j + 2) % 3] = r[(j + 1) % 3];
-}
-
-enum status net_body_stiffness(const struct net *net, const struct net_state *s, const int *chosen,
-                               int k, const double about[3], double K[36])
-{
-    size_t n = 3 * (size_t)k;
-    double *nodes = mem_doubles(n * n), *move = mem_doubles(6 * n);
-    enum status status = nodes && move ? net_stiffness(net, s, chosen, k, nodes) : SW_NOMEM;
-
-    memset(K, 0, 36 * sizeof *K);
-    for (int i = 0; i < k && status == SW_OK; i++) {
-        double r[3], p[3], dot = 0;
-
-        for (int c = 0; c < 3; c++) {
-            r[c] = s->x[3 * chosen[i] + c] - about[c];
-            p[c] = -s->residual[3 * chosen[i] + c];
-            dot += p[c] * r[c];
-        }
-        for (int j = 0; j < 6; j++)
-            follow(j, r, move + n * (size_t)j + 3 * i);
-        for (int c = 0; c < 3; c++)
-            for (int d = 0; d < 3; d++)
-                K[3 + c + 6 * (3 + d)] += r[c] * p[d] - (c == d ? dot : 0);
-    }
-    for (int a = 0; a < 6 && status == SW_OK; a++)
-        for (int b = 0; b < 6; b++)
-            for (size_t i = 0; i < n; i++)
-                for (size_t j = 0; j < n; j++)
-                    K[a + 6 * b] +=
-                        move[n * (size_t)a + i] * nodes[i + n * j] * move[n * (size_t)b + j];
-    free(nodes);
-    free(move);
-    return status;
-}
-
-void net_ends(const struct net *net, const struct net_state *s, int r, double ta[3], double tb[3])
-{
-    double load[3] = {0, 0, 0};
-
-    if (!net_is_bar(&net->rope[r]))
-        rope_load(&net->rope[r].rope, load);
-    for (int i = 0; i < 3; i++) {
-        ta[i] = s->t[3 * r + i] + net->rope[r].rope.offset[i];
-        tb[i] = ta[i] - load[i];
-    }
 }
 
 /* The first node of i's group, with shorter ways for the next call. */

@@ -10,7 +10,12 @@
 
 int net_is_bar(const struct net_rope *r)
 {
-    return r->rope.elements == 1;
+    return r->rope.elements == 1 && !r->cut;
+}
+
+int net_is_placed(const struct net_rope *r)
+{
+    return net_is_bar(r) || r->over;
 }
 
 static int number_unknowns(const struct net *net, int *dof)
@@ -105,6 +110,14 @@ enum status net_work_new(const struct net *net, struct net_work *w)
     if (!w->dof || !w->at_node || !w->at_rope || !enough)
         return SW_NOMEM;
     w->unknowns = number_unknowns(net, w->dof);
+    if (net->sea && net->sea->bed.kind != BED_NONE) {
+        w->pull = mem_doubles(6 * m);
+        w->over_K = mem_doubles(36 * m);
+        w->lean = mem_doubles(n);
+        w->push = mem_doubles(n);
+        if (!w->pull || !w->over_K || !w->lean || !w->push)
+            return SW_NOMEM;
+    }
     return lay_matrix(net, w);
 }
 
@@ -123,6 +136,10 @@ void net_work_free(struct net_work *w)
     free(w->x1);
     free(w->t1);
     free(w->rhs);
+    free(w->pull);
+    free(w->over_K);
+    free(w->lean);
+    free(w->push);
     sparse_free(&w->A);
     *w = (struct net_work){.dof = NULL};
 }
@@ -132,6 +149,24 @@ static void add_diagonal(const struct net_work *w, int node, const double K[SYM]
     for (int k = 0; k < SYM; k++)
         if (w->at_node[6 * node + k] >= 0)
             w->A.value[w->at_node[6 * node + k]] += K[k];
+}
+
+/* The symmetric part of a 6 x 6 block, column-major, of rope r. */
+static void add_block(const struct net *net, const struct net_work *w, int r, const double *K)
+{
+    for (int end = 0; end < 2; end++) {
+        double own[SYM];
+
+        for (int i = 0, at = 0; i < 3; i++)
+            for (int j = i; j < 3; j++, at++)
+                own[at] =
+                    (K[3 * end + i + 6 * (3 * end + j)] + K[3 * end + j + 6 * (3 * end + i)]) / 2;
+        add_diagonal(w, end ? net->rope[r].b : net->rope[r].a, own);
+    }
+    for (int k = 0; k < 9; k++)
+        if (w->at_rope[9 * r + k] >= 0)
+            w->A.value[w->at_rope[9 * r + k]] +=
+                (K[k / 3 + 6 * (3 + k % 3)] + K[3 + k % 3 + 6 * (k / 3)]) / 2;
 }
 
 void net_assemble(const struct net *net, struct net_work *w)
@@ -147,6 +182,10 @@ void net_assemble(const struct net *net, struct net_work *w)
     for (int r = 0; r < net->m; r++) {
         const double *K = w->K + SYM * r;
 
+        if (net->rope[r].over) {
+            add_block(net, w, r, w->over_K + 36 * (size_t)r);
+            continue;
+        }
         add_diagonal(w, net->rope[r].a, K);
         add_diagonal(w, net->rope[r].b, K);
         for (int k = 0; k < 9; k++)

@@ -70,11 +70,10 @@ static void add_element(const struct rope *r, double l0, const double t[3], doub
     F[SYM_ZZ] += along + change * t[2] * t[2];
 }
 
-/* Load at joint k of a chain, 1..elements - 1. */
-static void joint_load(const struct rope *r, int k, double ret[3])
+void rope_joint_load(const struct rope *r, int n, int k, double ret[3])
 {
     for (int i = 0; i < 3; i++)
-        ret[i] = r->load ? r->load[3 * (k - 1) + i] : r->q[i] * r->L0 / r->elements;
+        ret[i] = r->load ? r->load[3 * (k - 1) + i] : r->q[i] * r->L0 / n;
 }
 
 /* Tension of element k of a chain, from 1, where the elements before it carried so much more, which
@@ -85,7 +84,7 @@ static void next_element(const struct rope *r, const double t[3], int k, double 
     double load[3] = {0, 0, 0};
 
     if (k > 1)
-        joint_load(r, k - 1, load);
+        rope_joint_load(r, r->elements, k - 1, load);
     for (int i = 0; i < 3; i++) {
         carried[i] += load[i];
         ret[i] = t[i] + (r->offset[i] - carried[i]);
@@ -201,7 +200,7 @@ void rope_load(const struct rope *r, double ret[3])
     for (int i = 0; i < 3; i++)
         ret[i] = r->elements > 0 ? 0 : r->q[i] * r->L0;
     for (int k = 1; k < r->elements; k++) {
-        joint_load(r, k, joint);
+        rope_joint_load(r, r->elements, k, joint);
         for (int i = 0; i < 3; i++)
             ret[i] += joint[i];
     }
@@ -254,7 +253,7 @@ void rope_points(const struct rope *r, const double t[3], int n, struct rope_poi
         for (int i = 0; i < 3; i++)
             p->load[i] = r->elements > 0 ? 0 : r->q[i] * l0;
         if (r->elements > 0 && k < n - 1)
-            joint_load(r, k, p->load);
+            rope_joint_load(r, r->elements, k, p->load);
         for (int i = 0; i < 3; i++)
             p->t[i] = before->t[i] - p->load[i];
         if (r->elements > 0 && k < n - 1)

@@ -47,6 +47,9 @@ void rope_chord(const struct rope *r, const double t[3], double chord[3], double
  * its few digits would be lost beside the loads.  Its chord is as before. */
 void rope_refer(struct rope *r, double t[3]);
 
+/* Load at joint k, from 1, of a rope in n elements [N]. */
+void rope_joint_load(const struct rope *r, int n, int k, double ret[3]);
+
 /* Sum of the loads that act between the ends: t at b is t - sum [N]. */
 void rope_load(const struct rope *r, double ret[3]);
 
@@ -60,6 +63,7 @@ struct rope_point {
     double t[3];    /* tension towards b, behind the load of this point [N] */
     double load[3]; /* at this point; of a continuous rope, of the stretch before it [N] */
     double strain;  /* of what comes behind it; at b of the last piece */
+    double bed;     /* push of the bed here, or on the stretch before it, in load [N] */
 };
 
 /* Points of the rope: of a chain its ends and joints, elements + 1; of a continuous one, as many.

@@ -269,3 +269,25 @@ const char *integer_read(const char *text, long min, long max, long *ret)
     *ret = i;
     return NULL;
 }
+
+enum status numbers_read(const char *text, int n, double *ret, struct why *why)
+{
+    const char *p = text;
+
+    for (int i = 0; i < n; i++) {
+        char word[64];
+        size_t length = strcspn(p, ",");
+        const char *reason;
+
+        if ((p[length] == ',') != (i < n - 1) || length == 0 || length >= sizeof word)
+            return fail(why, SW_USAGE, "'%.60s': %d numbers are expected, commas between them",
+                        text, n);
+        memcpy(word, p, length);
+        word[length] = '\0';
+        reason = number_read(word, &ret[i]);
+        if (reason)
+            return fail(why, SW_USAGE, "'%s': %s", word, reason);
+        p += length + 1;
+    }
+    return SW_OK;
+}

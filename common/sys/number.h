@@ -4,6 +4,8 @@
 #ifndef SEILWERK_SYS_NUMBER_H
 #define SEILWERK_SYS_NUMBER_H
 
+#include "sys/err.h"
+
 #include <stddef.h>
 
 #define NUMBER_SIZE 32 /* characters that hold any printed number, NUL included */
@@ -21,5 +23,8 @@ const char *number_read(const char *text, double *ret);
 
 /* The same for a whole number in [min, max]. */
 const char *integer_read(const char *text, long min, long max, long *ret);
+
+/* n numbers with commas between them to ret.  SW_USAGE, with what is wrong. */
+enum status numbers_read(const char *text, int n, double *ret, struct why *why);
 
 #endif

@@ -340,6 +340,19 @@ wires 'a word as support' supports 's/,0,0,0,0,0,0/,fixed,0,0,0,0,0/'
 wires 'a load of nowhere' loads 's/^end/end2/'
 wires 'a column of springs' loads '1s/fz_N/kz_N_m/'
 
+# Mooring decks; tests/cli/decks.sh has each error of theirs.
+cp "$here/../data/decks/moordyn2.txt" deck.txt
+head -c 900 deck.txt >cut.txt
+refuses 2 'deck: cut short' gapnet cut.txt
+sed 's/ OUTPUTS / WINCHES /' deck.txt >section.txt
+refuses 2 'deck: an unknown section' gapnet section.txt
+printf -- '---- LINES ----\n\0' >zero.txt
+refuses 2 'deck: a zero byte' gapnet zero.txt
+refuses 2 'deck: --set out of range' gapnet --set environment.water_density=-1 deck.txt
+refuses 2 'deck: written over itself' gapnet --write-deck deck.txt deck.txt
+refuses 1 'deck: written to nowhere' gapnet --write-deck nowhere/deck.txt deck.txt
+refuses 2 'deck: and stiffness to standard output' gapnet --write-deck - --stiffness 6 deck.txt
+
 # Outputs.
 refuses 1 'below a regular file' catenary -o stay.ini/line.csv stay.ini
 refuses 1 'a directory as output' catenary -o . stay.ini

@@ -25,7 +25,7 @@ ok $? 'five of them, nothing on standard output'
 same nodes.csv solved/nodes.csv 'the same nodes'
 header solved/ropes.csv 'rope,tension_a_N,tension_b_N,tension_max_N,tension_min_N,length_m,length_on_bed_m,ta_x_N,ta_y_N,ta_z_N,tb_x_N,tb_y_N,tb_z_N,node_a,node_b,unstretched_m,elements,ea_N,use,lowest_z_m,remark,law' \
     'columns of ropes'
-header solved/shapes.csv 'rope,joint,x_m,y_m,z_m,tension_N,load_x_N,load_y_N,load_z_N,s_m,tx_N,ty_N,tz_N,strain' \
+header solved/shapes.csv 'rope,joint,x_m,y_m,z_m,tension_N,load_x_N,load_y_N,load_z_N,s_m,tx_N,ty_N,tz_N,strain,bed_N' \
     'columns of shapes'
 header solved/history.csv 'step,mean_gap,largest_gap,residual_N,factor' 'columns of the history'
 [ "$(column steps solved/summary.csv)" -le 12 ]
@@ -251,7 +251,7 @@ refused 'no ropes' 'has no ropes' --set tables.ropes=none.csv
 printf 'rope,node_a,node_b,type,length_m\n1,B1,B2,rope,5\n' >mooring/loose.csv
 refused 'a part that drifts' 'no rope leads from here to anything that is held' \
     --set tables.ropes=loose.csv
-refused 'an unknown key' "unknown key 'depth' in [environment]" --set environment.depth=50
+refused 'an unknown key' "unknown key 'salinity' in [environment]" --set environment.salinity=35
 refused 'an unknown method' "option --method: 'force' is not one of: gap displacement imaginary" \
     --method force
 refused 'an unknown node of stiffness' "there is no node 'Q'" --stiffness A1,Q

@@ -15,6 +15,10 @@ END
 
 cp "$top/scripts/experiments/lifts/cases.csv" lifts.csv
 cp -r "$top/scripts/experiments/nets/mooring" net
+cp "$here/../data/decks/moordyn2.txt" deck.txt
+printf 'tension\nstrain tension\n(-) (N)\n0 0\n0.01 4e5\n0.1 4e6\n' >tension.dat
+sed 's/^wire .*/&\nspare 0.1 20 tension.dat -1 1 0 1 0/; s/^80 .*/&\n1 Currents/' \
+    "$here/../data/decks/moordyn1.txt" >table.txt
 gapnet -d solved --rope chain --set solve.elements=2 net/system.ini
 "$top/scripts/wire/arc" wire 1 90 2
 printf 'element,qz_N_m\ne1,3\n' >wire/loads.csv
@@ -60,6 +64,8 @@ run()
     contour) sling -o result/out.csv --contour z_m=0:1:3,v_m=3:5:3 lift.csv ;;
     gapnet) gapnet -o result/out.csv --rope chain --stiffness B1 net/system.ini ;;
     gapnodes) gapnet -o result/out.csv --verify --set solve.elements=2 --rope chain net/system.ini ;;
+    gapdeck) gapnet -q -o result/out.csv table.txt ;;
+    writedeck) gapnet -o result/nodes.csv --write-deck result/out.csv deck.txt ;;
     gapcheck) gapcheck -o result/out.csv solved ;;
     wire) wirebeam -o result/out.csv --set tables.springs=springs.csv --set solve.steps=1 \
         --set solve.largest_angle=15 wire/case.ini ;;
@@ -130,7 +136,8 @@ output()
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
     for tool in catenary modal diffverf sweep steady points print table stiffness sling lift exact \
-        lever contour gapnet gapnodes gapcheck wire wirearc wiremodes wirelinear updated; do
+        lever contour gapnet gapnodes gapdeck writedeck gapcheck wire wirearc wiremodes wirelinear \
+        updated; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done

@@ -36,7 +36,7 @@ static void solve(struct system *p)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const char *const mark = "\n=\n";
-    struct system_case c = {.gravity = 9.81, .elements = 3, .tolerance = 5e-10, .steps = 60};
+    struct system_case c = {.gravity = 9.81, .depth = NAN, .elements = 3, .tolerance = 5e-10, .steps = 60};
     char *const to[3] = {c.nodes, c.ropes, c.types};
     char *text = calloc(size + 1, 1), *at = text;
     int fd[3], parts = 0;

