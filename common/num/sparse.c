@@ -186,6 +186,7 @@ static enum status factor(struct sparse *A)
 
 enum status sparse_factor(struct sparse *A)
 {
+    A->failed = -1;
     return A->n > 0 ? factor(A) : SW_OK;
 }
 
