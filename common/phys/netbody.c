@@ -11,6 +11,9 @@
 #define STEPS 200    /* of the bodies */
 #define FAR 0.2      /* of the size, and radians: the longest step */
 #define TRIALS 12    /* of a step's length */
+#define LITTLE 1e-9  /* of the stiffness: for what nothing holds, a turn about a single rope */
+#define GAIN 0.1     /* of what a step should take off, at the least */
+#define PART 0.02    /* of a step: one that must be cut shorter leads nowhere */
 #define DAMPING 1e-3 /* of the stiffness, where a step did not help */
 
 static void cross(const double a[3], const double b[3], double ret[3])
@@ -272,8 +275,8 @@ static double missing(const struct drift *d, const struct net_state *s, double *
     return most / scale;
 }
 
-/* (K + damping diagonal) step = W, not too far. */
-static enum status find_step(const struct drift *d, double damping, double size)
+/* (K + damping diagonal) step = W, not too far: shortened to *part of it. */
+static enum status find_step(const struct drift *d, double damping, double size, double *part)
 {
     int n = 6 * d->g.n;
     double stiff[2] = {0, 0}, far = 0;
@@ -288,8 +291,9 @@ static enum status find_step(const struct drift *d, double damping, double size)
     s = dense_solve(n, d->A, 1, d->step);
     for (int i = 0; i < n; i++)
         far = fmax(far, fabs(d->step[i]) / (i % 6 < 3 ? size : 1));
-    for (int i = 0; i < n && far > FAR; i++)
-        d->step[i] *= FAR / far;
+    *part = far > FAR ? FAR / far : 1;
+    for (int i = 0; i < n; i++)
+        d->step[i] *= *part;
     return s;
 }
 
@@ -329,25 +333,25 @@ static enum status step_on(struct drift *d, struct net_state *s, double *off, do
     memcpy(d->before, d->net->body, sizeof *d->before * (size_t)d->net->bodies);
     for (int k = 0; k < TRIALS && status == SW_OK; k++) {
         struct net_state now;
-        double left = INFINITY;
+        double left = INFINITY, part;
 
-        if (find_step(d, *damping, s->size) == SW_OK) {
+        if (find_step(d, *damping, s->size, &part) == SW_OK) {
             move_bodies(d, 1);
             status = net_solve(d->net, d->o, &now);
             if (status == SW_OK)
                 left = missing(d, &now, d->W);
-            if (status == SW_OK && left < *off) {
+            if (status == SW_OK && part > PART && left < *off * (1 - GAIN * part)) {
                 net_state_free(s);
                 *s = now;
                 *off = left;
-                *damping = *damping > DAMPING ? *damping / 10 : 0;
+                *damping = fmax(*damping / 10, LITTLE);
                 return SW_OK;
             }
             net_state_free(&now);
             if (status == SW_NOCONV || status == SW_INDEFINITE)
                 status = SW_OK;
         }
-        *damping = *damping > 0 ? *damping * 10 : DAMPING;
+        *damping = fmax(*damping * 10, DAMPING);
         missing(d, s, d->W);
     }
     move_bodies(d, 0);
@@ -392,7 +396,7 @@ static void end_drift(struct drift *d)
 enum status net_settle(struct net *net, const struct net_options *o, struct net_state *ret)
 {
     struct drift d;
-    double off, damping = 0;
+    double off, damping = LITTLE;
     enum status s = net_solve(net, o, ret);
     int free_ones = 0;
 

@@ -281,7 +281,7 @@ static enum status sail(struct voyage *v, const struct net_split *split, int rop
 }
 
 /* Elements of each rope where it must be split, 0 where not; whether any is. */
-static int choose_parts(const struct net *net, const struct net_options *o, int *parts)
+static int choose_parts(const struct net *net, const struct net_options *o, int all, int *parts)
 {
     int any = 0;
 
@@ -290,7 +290,7 @@ static int choose_parts(const struct net *net, const struct net_options *o, int 
         int light = net->sea->current.n == 0 && p->rope.elements == 0 && !(p->rope.q[2] < 0);
 
         parts[r] = p->rope.elements > 0 ? p->rope.elements : o->split;
-        if ((net_is_bar(p) && o->method == NET_GAP) || net_goes_over(net, p) || light)
+        if ((net_is_bar(p) && o->method == NET_GAP) || (!all && net_goes_over(net, p)) || light)
             parts[r] = 0;
         any |= parts[r] > 0;
     }
@@ -492,12 +492,18 @@ static void gather(const struct net *net, const struct net_split *split, const s
     }
 }
 
-/* With ropes as they are. */
+/* With ropes as they are; with friction not for too long, for there is another way. */
 static enum status solve_whole(struct net *net, const struct net_options *o,
                                const struct net_state *dry, struct net_state *ret)
 {
+    struct net_options brief = *o;
     struct voyage v;
-    enum status s = new_voyage(net, o, ret, &v);
+    enum status s;
+
+    for (int r = 0; r < net->m; r++)
+        if (net->rope[r].friction > 0 && brief.steps > BRIEF)
+            brief.steps = BRIEF;
+    s = new_voyage(net, &brief, ret, &v);
 
     if (s == SW_OK)
         s = travel(&v, NULL, 0, dry);
@@ -601,10 +607,15 @@ enum status net_solve_in_sea(struct net *net, const struct net_options *o, struc
         }
         s = s == SW_NOMEM ? s : SW_OK;
     }
-    if (s == SW_OK && choose_parts(net, o, parts))
-        s = solve_split(net, o, parts, ret);
-    else if (s == SW_OK)
-        s = solve_whole(net, o, dry.x ? &dry : NULL, ret);
+    if (s == SW_OK) {
+        int any = choose_parts(net, o, 0, parts);
+
+        s = any ? solve_split(net, o, parts, ret) : solve_whole(net, o, dry.x ? &dry : NULL, ret);
+        if (s == SW_NOCONV && choose_parts(net, o, 1, parts)) {
+            net_state_free(ret);
+            s = solve_split(net, o, parts, ret);
+        }
+    }
     free(parts);
     net_state_free(&dry);
     if (s == SW_NOMEM)

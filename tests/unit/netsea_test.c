@@ -90,8 +90,8 @@ static void chain_to_closed_form(void **state)
             ends_of(&c, &exact, &A, &B);
             error[k] = fmax(fabs(A - TA), fabs(B - TB)) / TB;
         }
-        printf("# %g %g: %g %g\n",friction[i / 3], slope[i % 3], error[0],error[1]);
-        if(0) below(error[1], error[0] / 3); /* where it touches down is known to an element */
+        below(error[0], 8e-3);
+        below(error[1], error[0] / 3); /* where it touches down is known to an element */
     }
 }
 
@@ -326,7 +326,6 @@ static void extremes(void **state)
             part[0].rope.L0 = 300; /* a heap */
         if (kind / 2 == 5)
             part[0].friction = 5;
-        print_message("# extreme %d\n", kind);
         s = solve(&net, &exact);
         below(s.steps, 1000);
         net_state_free(&s);
@@ -415,7 +414,7 @@ static void random_moorings(void **state)
                 {"with friction", 0, 0, 1, 0.97},
                 {"chains", 30, 0, 0, 0.99},
                 {"in a current", 30, 1, 0, 0.99}};
-    const int N = 200;
+    const int N = 100;
     (void)state;
 
     for (size_t k = 0; k < sizeof kind / sizeof *kind; k++) {

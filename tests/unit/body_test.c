@@ -1,0 +1,291 @@
+/* Rigid bodies on moorings: rotations, stiffness by differences, balance, closed forms, wanted
+ * tensions. */
+#include "check.h"
+#include "phys/attitude.h"
+#include "phys/net.h"
+#include "phys/sea.h"
+
+#include <string.h>
+
+#define LINES 3
+#define NODES (3 * LINES)
+
+static const struct net_options exact = {.tolerance = 5e-10, .steps = 1000, .split = 60};
+
+static double size(const double t[3])
+{
+    return hypot(hypot(t[0], t[1]), t[2]);
+}
+
+/* Rotations are those of Rodrigues: orthogonal, undone, composed, and their vectors come back. */
+static void rotations(void **state)
+{
+    uint64_t seed = 1;
+    (void)state;
+
+    for (int k = 0; k < 10000; k++) {
+        double w[3], R[9], back[3], a[3] = {1, -2, 3}, b[3], c[3], l, s = k % 3 ? 1 : 1e-6;
+
+        for (int i = 0; i < 3; i++)
+            w[i] = s * uniform_in(&seed, -1.8, 1.8);
+        l = size(w);
+        attitude_matrix(w, R);
+        attitude_vector(R, back);
+        for (int i = 0; i < 3; i++) /* beyond pi it is the other way round */
+            near_abs(back[i], l <= PI ? w[i] : w[i] * (1 - 2 * PI / l), 1e-12);
+        attitude_apply(R, a, b);
+        attitude_undo(R, b, c);
+        near_abs(size(b), size(a), 1e-14);
+        for (int i = 0; i < 3; i++)
+            near_abs(c[i], a[i], 1e-14);
+    }
+    for (int axis = 0; axis < 3; axis++) { /* half a turn, where signs are lost first */
+        double w[3] = {0, 0, 0}, R[9], back[3];
+
+        w[axis] = PI;
+        attitude_matrix(w, R);
+        attitude_vector(R, back);
+        near_abs(fabs(back[axis]), PI, 1e-12);
+    }
+    {
+        const double x[3] = {PI / 2, 0, 0}, z[3] = {0, 0, PI / 2}, a[3] = {1, 0, 0};
+        double R[9], b[3];
+
+        attitude_matrix(z, R);
+        attitude_turn(x, R); /* x -> y -> z */
+        attitude_apply(R, a, b);
+        near_abs(b[2], 1, 1e-15);
+    }
+}
+
+/* A floater on three lines of two parts over a bed, turned about z by `turned`. */
+struct floater {
+    struct net_node node[NODES];
+    struct net_rope rope[2 * LINES];
+    struct net_body body[1];
+    struct sea sea;
+    struct net net;
+};
+
+static void floater(struct floater *f, double turned, double friction)
+{
+    const double upright[3] = {0, 0, turned};
+
+    *f = (struct floater){.sea = {.bed = {.kind = BED_PLANE, .level = -100}}};
+    f->body[0] = (struct net_body){.held = 1, .x = {0, 0, 0}};
+    attitude_matrix(upright, f->body[0].R);
+    for (int i = 0; i < LINES; i++) {
+        double angle = turned + 2 * PI * i / LINES, own = 2 * PI * i / LINES;
+        int anchor = 3 * i, middle = anchor + 1, top = anchor + 2;
+
+        f->node[anchor] =
+            (struct net_node){.held = 7, .x = {400 * cos(angle), 400 * sin(angle), -100}};
+        f->node[middle] = (struct net_node){.x = {NAN, NAN, NAN}, .force = {0, 0, -2000}};
+        f->node[top] =
+            (struct net_node){.held = 7, .body = 1, .arm = {10 * cos(own), 10 * sin(own), -5 + i}};
+        f->rope[2 * i] =
+            (struct net_rope){.a = anchor,
+                              .b = middle,
+                              .friction = friction,
+                              .rope = {.law = {.EA = 5e8}, .L0 = 250 + 5 * i, .q = {0, 0, -1500}}};
+        f->rope[2 * i + 1] =
+            (struct net_rope){.a = middle,
+                              .b = top,
+                              .friction = friction,
+                              .rope = {.law = {.EA = 5e7}, .L0 = 163, .q = {0, 0, -100}}};
+    }
+    f->net = (struct net){.n = NODES,
+                          .m = 2 * LINES,
+                          .node = f->node,
+                          .rope = f->rope,
+                          .bodies = 1,
+                          .body = f->body,
+                          .sea = &f->sea};
+    net_place_body(&f->net, 0);
+}
+
+/* What the lines do to the body about a point fixed in space. */
+static void forces(struct floater *f, const double about[3], double lines[6])
+{
+    struct net_state s;
+    double own[6];
+
+    assert_int_equal(net_settle(&f->net, &exact, &s), SW_OK);
+    net_body_forces(&f->net, &s, 0, about, lines, own);
+    net_state_free(&s);
+}
+
+/* 6 x 6 about any point, condensed on the free nodes, against differences of the forces; dead loads
+ * make it symmetric but for the moment of the forces that hold the body, which is turned with it.
+ */
+static void stiffness(void **state)
+{
+    const double about[3] = {3, -2, 7};
+    int chosen[LINES];
+    (void)state;
+
+    for (int rubs = 0; rubs < 2; rubs++) {
+        struct floater f;
+        struct net_state s;
+        double K[36], most[2] = {0, 0}, start[6];
+
+        floater(&f, 0.3, rubs ? 0.6 : 0);
+        for (int i = 0; i < LINES; i++)
+            chosen[i] = 3 * i + 2;
+        assert_int_equal(net_settle(&f.net, &exact, &s), SW_OK);
+        assert_int_equal(net_body_stiffness(&f.net, &s, chosen, LINES, about, K), SW_OK);
+        net_state_free(&s);
+        forces(&f, about, start);
+        for (int i = 0; i < 36; i++)
+            most[(i % 6 >= 3) | (i / 6 >= 3)] = fmax(most[(i % 6 >= 3) | (i / 6 >= 3)], fabs(K[i]));
+        for (int j = 0; j < 6; j++) {
+            double h = j < 3 ? 1e-3 : 1e-5, force[2][6];
+            struct net_body keep = f.body[0];
+
+            for (int side = 0; side < 2; side++) {
+                double move[6] = {0}, lever[3], moved[3];
+
+                move[j] = side ? h : -h;
+                f.body[0] = keep;
+                attitude_turn(move + 3, f.body[0].R);
+                for (int c = 0; c < 3; c++)
+                    lever[c] = keep.x[c] - about[c];
+                {
+                    double R[9];
+
+                    attitude_matrix(move + 3, R);
+                    attitude_apply(R, lever, moved);
+                }
+                for (int c = 0; c < 3; c++)
+                    f.body[0].x[c] = about[c] + moved[c] + move[c];
+                net_place_body(&f.net, 0);
+                {
+                    const double there[3] = {about[0] + move[0], about[1] + move[1],
+                                             about[2] + move[2]};
+
+                    forces(&f, there, force[side]);
+                }
+            }
+            f.body[0] = keep;
+            net_place_body(&f.net, 0);
+            for (int i = 0; i < 6; i++)
+                near_abs(-(force[1][i] - force[0][i]) / (2 * h), K[i + 6 * j],
+                         1e-5 * most[i >= 3 || j >= 3]);
+        }
+        for (int i = 0; i < 3 && !rubs; i++)
+            for (int j = 0; j < 3; j++) {
+                near_abs(K[i + 6 * j], K[j + 6 * i], 1e-9 * most[0]);
+                near_abs(K[i + 6 * (3 + j)], K[3 + j + 6 * i], 1e-9 * most[1]);
+            }
+    }
+}
+
+/* Turned as a whole about the vertical, forces turn with it. */
+static void turned(void **state)
+{
+    const double zero[3] = {0, 0, 0};
+    struct floater f, g;
+    double a[6], b[6], R[9], w[3] = {0, 0, 1.1}, F[6];
+    (void)state;
+
+    floater(&f, 0, 0.4);
+    floater(&g, 1.1, 0.4);
+    f.body[0].x[0] = 4;
+    g.body[0].x[0] = 4 * cos(1.1);
+    g.body[0].x[1] = 4 * sin(1.1);
+    net_place_body(&f.net, 0);
+    net_place_body(&g.net, 0);
+    forces(&f, zero, a);
+    forces(&g, zero, b);
+    attitude_matrix(w, R);
+    attitude_apply(R, a, F);
+    attitude_apply(R, a + 3, F + 3);
+    for (int i = 0; i < 6; i++)
+        near_abs(b[i], F[i], 1e-7 * (i < 3 ? size(a) : size(a + 3)));
+}
+
+/* A free floater comes to rest: what the lines do is what weight and buoyancy leave.  Its place is
+ * one of equilibrium for a held one, too. */
+static void floats(void **state)
+{
+    const double zero[3] = {0, 0, 0};
+    struct floater f;
+    struct net_state s;
+    double lines[6], own[6], held[6];
+    (void)state;
+
+    floater(&f, 0, 0);
+    f.body[0].held = 0;
+    f.body[0].weight = 2e7;
+    f.body[0].lift = 2.1e7;
+    f.body[0].area = 1025 * 9.81 * 120.0;
+    f.body[0].cg[2] = -8;
+    f.body[0].cb[0] = 0.5;
+    f.body[0].level = 0;
+    assert_int_equal(net_settle(&f.net, &exact, &s), SW_OK);
+    net_body_forces(&f.net, &s, 0, zero, lines, own);
+    for (int i = 0; i < 6; i++)
+        near_abs(lines[i] + own[i], 0, 2e7 * 1e-8 * (i < 3 ? 1 : s.size));
+    net_state_free(&s);
+    assert_true(fabs(f.body[0].x[2]) > 1e-3); /* it has moved */
+    f.body[0].held = 1;
+    forces(&f, zero, held);
+    for (int i = 0; i < 6; i++)
+        near_abs(held[i], lines[i], 2e7 * 1e-8 * (i < 3 ? 1 : 400));
+}
+
+/* A body on one rope hangs with its centre of gravity under its eye. */
+static void plumb(void **state)
+{
+    struct net_node node[2] = {{.held = 7}, {.held = 7, .body = 1, .arm = {2, 1, 1}}};
+    struct net_rope rope[1] = {
+        {.a = 0, .b = 1, .rope = {.law = {.EA = 1e7}, .L0 = 20, .q = {0, 0, -10}}}};
+    struct net_body body[1] = {{.x = {1, 2, -21}, .R = {1, 0, 0, 0, 1, 0, 0, 0, 1}, .weight = 5e4}};
+    struct net net = {.n = 2, .m = 1, .node = node, .rope = rope, .bodies = 1, .body = body};
+    struct net_state s;
+    double arm = sqrt(6), stretch = (5e4 + 10 * 20 / 2.0) * 20 / 1e7;
+    (void)state;
+
+    net_place_body(&net, 0);
+    assert_int_equal(net_settle(&net, &exact, &s), SW_OK);
+    for (int c = 0; c < 2; c++) {
+        near_abs(node[1].x[c], 0, 1e-6);
+        near_abs(body[0].x[c], 0, 1e-6);
+    }
+    near_rel(body[0].x[2], -(20 + stretch + arm), 1e-9);
+    net_state_free(&s);
+}
+
+/* Tensions at the fairleads by all three lengths at once, and by the anchors. */
+static void tuned(void **state)
+{
+    (void)state;
+    for (int by_anchor = 0; by_anchor < 2; by_anchor++) {
+        struct floater f;
+        struct net_target target[LINES];
+        struct net_state s;
+
+        floater(&f, 0, by_anchor ? 0 : 0.3);
+        f.sea.bed.slope[0] = by_anchor ? 0.01 : 0;
+        for (int i = 0; i < LINES; i++) {
+            double *x = f.node[3 * i].x;
+
+            x[2] = bed_at(&f.sea.bed, x[0], x[1], NULL);
+            target[i] = by_anchor ? (struct net_target){2 * i, 3 * i + 1, 2.4e5 + 1e4 * i, 3 * i}
+                                  : (struct net_target){2 * i + 1, 3 * i + 2, 2.6e5 + 1e4 * i, -1};
+        }
+        assert_int_equal(net_tune(&f.net, &exact, target, LINES, &s), SW_OK);
+        for (int i = 0; i < LINES; i++) {
+            const double *x = f.node[3 * i].x;
+            double ta[3], tb[3];
+
+            net_ends(&f.net, &s, target[i].rope, ta, tb);
+            near_rel(size(tb), target[i].tension, 1e-8);
+            near_abs(x[2], bed_at(&f.sea.bed, x[0], x[1], NULL), 1e-9);
+        }
+        net_state_free(&s);
+    }
+}
+
+TEST_MAIN(cmocka_unit_test(rotations), cmocka_unit_test(stiffness), cmocka_unit_test(turned),
+          cmocka_unit_test(floats), cmocka_unit_test(plumb), cmocka_unit_test(tuned))
