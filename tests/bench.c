@@ -6,6 +6,7 @@
  */
 #include "num/mem.h"
 #include "num/pi.h"
+#include "phys/follow.h"
 #include "phys/lanes.h"
 #include "phys/map.h"
 #include "phys/march.h"
@@ -563,6 +564,62 @@ static double chain_time(int flows)
     return 1e3 * (now() - t) / count;
 }
 
+/* Seconds of one load step with five iterations of a wire of n elements on supports, 100 elements a
+ * span, pushed across by an eighth of a span at each of its middles. */
+static double wire_time(int n)
+{
+    struct section section = {
+        .shape = SECTION_VALUES, .E = 1, .G = 1, .area = 1e4, .Ixx = 1, .Iyy = 1, .It = 1};
+    struct frame f = {.n = n + 1,
+                      .beams = n,
+                      .stages = 1,
+                      .node = checked(mem_zeroed((size_t)n + 1, sizeof *f.node)),
+                      .beam = checked(mem_zeroed((size_t)n, sizeof *f.beam)),
+                      .load = checked(mem_zeroed((size_t)n / 100 + 1, sizeof *f.load))};
+    const struct follow_options o = {
+        .tolerance = 1e-10, .parts = 1, .steps = 1, .iterations = 20, .watch = -1};
+    struct frame_state s;
+    struct frame_work w;
+    struct follow_path path;
+    double t;
+
+    expect(section_complete(&section, 0));
+    for (int i = 0; i <= n; i++)
+        f.node[i] = (struct frame_node){.x = {0.01 * i}, .held = i == 0 ? 15 : i % 100 ? 0 : 6};
+    t = now();
+    for (int i = 0; i < n; i++) {
+        struct frame_beam *b = &f.beam[i];
+        struct bow bow;
+
+        b->a = i;
+        b->b = i + 1;
+        b->section = &section;
+        bow_axes((const double[]){1, 0, 0}, b->A[0]);
+        bow_axes((const double[]){1, 0, 0}, b->A[1]);
+        bow_between(f.node[i].x, f.node[i + 1].x, b->A[0], b->A[1], 0, 0, &bow);
+        expect(beam_new(&bow, &section, &b->beam));
+        if (i % 100 == 50)
+            f.load[f.loads++] = (struct frame_load){.node = i,
+                                                    .beam = -1,
+                                                    .value = {0, i / 100 % 2 ? -12 : 12},
+                                                    .stage = 1};
+    }
+    expect(frame_state_new(&f, &s));
+    expect(frame_work_new(&f, &w));
+    expect(follow(&f, &o, &s, &w, &path));
+    t = now() - t;
+    if (path.n != 2 || !(path.step[1].residual <= 1e-10))
+        expect(SW_NOCONV);
+    t *= 5.0 / path.step[1].iterations;
+    follow_path_free(&path);
+    frame_work_free(&w);
+    frame_state_free(&s);
+    free(f.node);
+    free(f.beam);
+    free(f.load);
+    return t;
+}
+
 /* Nanoseconds of one printed number, random bits. */
 static double print_time(int n)
 {
@@ -661,6 +718,10 @@ int main(void)
     report("gapnet, a chain on the bed", median(chain_time, 0), "ms", 0, 0);
     report("gapnet, a chain on the bed in a current", median(chain_time, 1), "ms", 100 / scale, 0);
     report("gapnet, net of 300 x 300 meshes", mesh_time(300), "s", 30 / scale, 0);
+    for (int n = 1000; n <= 100000; n *= 10) {
+        snprintf(what, sizeof what, "wirebeam, five iterations, n = %d", n);
+        report(what, median(wire_time, n), "s", n == 10000 ? 2 / scale : 0, 0);
+    }
     report("triad, 3 x 160 MB", median(triad, 20000000), "GB/s", 0, 1);
     return 0;
 }

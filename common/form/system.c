@@ -4,6 +4,7 @@
 #include "form/systemtable.h"
 #include "num/mem.h"
 #include "num/pi.h"
+#include "num/vec3.h"
 #include "phys/attitude.h"
 
 #include <math.h>
@@ -57,7 +58,7 @@ static enum status put_on_body(struct system *p, int i, struct why *why)
         return roll_fail(why, &p->nodes, i, "on a body a node is no float");
     to->held = 7;
     memcpy(to->arm, to->x, sizeof to->arm);
-    attitude_apply(body->R, to->arm, to->x);
+    mat3_apply(body->R, to->arm, to->x);
     for (int c = 0; c < 3; c++)
         to->x[c] += body->x[c];
     return SW_OK;
@@ -131,7 +132,7 @@ enum status system_take_body(struct system *p, int i, struct why *why)
     double cb[3];
 
     (void)why;
-    attitude_apply(to->R, to->cb, cb);
+    mat3_apply(to->R, to->cb, cb);
     to->weight = said->mass * p->c.gravity;
     to->lift = said->volume * p->c.density * p->c.gravity;
     to->area = said->area * p->c.density * p->c.gravity;

@@ -4,6 +4,7 @@
 #include "num/mem.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #ifdef _OPENMP
@@ -11,7 +12,8 @@
 #endif
 #include <suitesparse/cholmod.h>
 
-#define NESTED 20000 /* unknowns */
+#define NESTED 20000   /* unknowns */
+#define ROUNDING 1e-15 /* of a diagonal entry: a pivot that is none */
 
 struct sparse_solver {
     cholmod_common common;
@@ -154,15 +156,14 @@ static int levels(int now)
 #endif
 }
 
-enum status sparse_factor(struct sparse *A)
+/* Analyse once, factor; SW_NOMEM, SW_INDEFINITE with A->failed as CHOLMOD sees it. */
+static enum status factor(struct sparse *A)
 {
     struct sparse_solver *s = A->solver;
     cholmod_sparse a = view(A);
     int before;
 
     A->failed = -1;
-    if (A->n == 0)
-        return SW_OK;
     for (size_t i = 0; i < A->entries; i++)
         if (!(A->value[i] - A->value[i] == 0)) /* NaN or infinite */
             return SW_INDEFINITE;
@@ -181,6 +182,59 @@ enum status sparse_factor(struct sparse *A)
         return SW_INDEFINITE;
     }
     return SW_OK;
+}
+
+enum status sparse_factor(struct sparse *A)
+{
+    A->failed = -1;
+    return A->n > 0 ? factor(A) : SW_OK;
+}
+
+enum status sparse_factor_signed(struct sparse *A, int *ret_negative)
+{
+    cholmod_common *c = &A->solver->common;
+    enum status s;
+
+    *ret_negative = 0;
+    if (A->n == 0)
+        return SW_OK;
+    if (!A->solver->factor) { /* supernodes know no D; chains want no nested dissection */
+        c->supernodal = CHOLMOD_SIMPLICIAL;
+        c->final_ll = 0;
+        c->method[0].ordering = CHOLMOD_AMD;
+    }
+    s = factor(A);
+    A->least = INFINITY;
+    for (int j = 0; j < A->n && s == SW_OK; j++) {
+        const cholmod_factor *f = A->solver->factor;
+        double D = ((const double *)f->x)[((const int *)f->p)[j]];
+        int own = ((const int *)f->Perm)[j];
+        double part = fabs(D) / fabs(A->value[A->column[own]]);
+
+        *ret_negative += D < 0;
+        if (!(part >= A->least)) {
+            A->least = part;
+            A->weakest = own;
+        }
+    }
+    if (s == SW_OK && !(A->least > ROUNDING)) {
+        A->failed = A->weakest;
+        s = SW_INDEFINITE;
+    }
+    return s;
+}
+
+void sparse_multiply_add(const struct sparse *A, double c, const double *x, double *y)
+{
+    for (int j = 0; j < A->n; j++) {
+        int at = A->column[j]; /* the diagonal comes first */
+
+        y[j] += c * A->value[at] * x[j];
+        for (at++; at < A->column[j + 1]; at++) {
+            y[A->row[at]] += c * A->value[at] * x[j];
+            y[j] += c * A->value[at] * x[A->row[at]];
+        }
+    }
 }
 
 enum status sparse_solve(struct sparse *A, int columns, double *x)

@@ -1,5 +1,6 @@
 /*
- * Sparse symmetric positive definite systems, by CHOLMOD: pattern analysed once, factored often.
+ * Sparse symmetric systems, positive definite or not, by CHOLMOD: pattern analysed once, factored
+ * often.
  *
  * The lower half is stored by columns.  A sparse matrix is owned by the struct; sparse_free takes a
  * zeroed struct, too.
@@ -20,7 +21,9 @@ struct sparse {
     int *row;      /* (entries) ascending within a column */
     double *value; /* (entries) */
     struct sparse_solver *solver;
-    int failed; /* column at which the last factorization stopped */
+    int failed;   /* column at which the last factorization stopped, or */
+    double least; /* smallest pivot of sparse_factor_signed over its diagonal entry, */
+    int weakest;  /* in this column */
 };
 
 /* A place (row, column) of a matrix. */
@@ -40,6 +43,17 @@ int sparse_at(const struct sparse *A, int row, int column);
 
 /* Factor A as its values are.  SW_INDEFINITE with A->failed; SW_NOMEM. */
 enum status sparse_factor(struct sparse *A);
+
+/*
+ * Factor A = L D L^T as its values are, in the order of the pattern (no pivoting); *ret_negative
+ * pivots are: so many eigenvalues of A (Sylvester).  SW_INDEFINITE with A->failed: a pivot is
+ * nothing but rounding (below 1e-15 of its diagonal entry), or a value is not finite; SW_NOMEM.
+ * Of one matrix either this or sparse_factor is called.
+ */
+enum status sparse_factor_signed(struct sparse *A, int *ret_negative);
+
+/* y += c A x. */
+void sparse_multiply_add(const struct sparse *A, double c, const double *x, double *y);
 
 /* x := A^{-1} x for columns of n numbers, by the last factor.  SW_NOMEM. */
 enum status sparse_solve(struct sparse *A, int columns, double *x);

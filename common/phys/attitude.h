@@ -1,5 +1,5 @@
 /*
- * Finite rotations: matrices, row-major, whose columns are the turned axes.
+ * Attitudes of bodies: matrices, by rows, whose columns are the turned axes.
  */
 #ifndef SEILWERK_PHYS_ATTITUDE_H
 #define SEILWERK_PHYS_ATTITUDE_H
@@ -12,9 +12,5 @@ void attitude_vector(const double R[9], double w[3]);
 
 /* R = exp(w^) R: turned further, about axes of space. */
 void attitude_turn(const double w[3], double R[9]);
-
-/* ret = R a, and R^T a. */
-void attitude_apply(const double R[9], const double a[3], double ret[3]);
-void attitude_undo(const double R[9], const double a[3], double ret[3]);
 
 #endif

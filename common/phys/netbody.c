@@ -1,6 +1,7 @@
 /* Rigid bodies that carry nodes: places, forces, stiffness, balance. */
 #include "num/dense.h"
 #include "num/mem.h"
+#include "num/vec3.h"
 #include "phys/attitude.h"
 #include "phys/network.h"
 
@@ -16,19 +17,13 @@
 #define PART 0.02    /* of a step: one that must be cut shorter leads nowhere */
 #define DAMPING 1e-3 /* of the stiffness, where a step did not help */
 
-static void cross(const double a[3], const double b[3], double ret[3])
-{
-    for (int i = 0; i < 3; i++)
-        ret[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 void net_place_body(struct net *net, int body)
 {
     const struct net_body *p = &net->body[body];
 
     for (int i = 0; i < net->n; i++)
         if (net->node[i].body == body + 1) {
-            attitude_apply(p->R, net->node[i].arm, net->node[i].x);
+            mat3_apply(p->R, net->node[i].arm, net->node[i].x);
             for (int c = 0; c < 3; c++)
                 net->node[i].x[c] += p->x[c];
         }
@@ -39,7 +34,7 @@ static void add_force(const double r[3], const double f[3], double wrench[6])
 {
     double m[3];
 
-    cross(r, f, m);
+    vec3_cross(r, f, m);
     for (int i = 0; i < 3; i++) {
         wrench[i] += f[i];
         wrench[3 + i] += m[i];
@@ -49,8 +44,8 @@ static void add_force(const double r[3], const double f[3], double wrench[6])
 /* Weight and buoyancy at the body's centres: arms from its origin in space, upward forces. */
 static void own_forces(const struct net_body *p, double arm[2][3], double up[2])
 {
-    attitude_apply(p->R, p->cg, arm[0]);
-    attitude_apply(p->R, p->cb, arm[1]);
+    mat3_apply(p->R, p->cg, arm[0]);
+    mat3_apply(p->R, p->cb, arm[1]);
     up[0] = -p->weight;
     up[1] = fmax(0, p->lift + p->area * (p->level - p->x[2] - arm[1][2]));
 }
@@ -93,7 +88,7 @@ static void follow(int j, const double r[3], double ret[3])
     if (j < 3)
         memcpy(ret, unit, sizeof unit);
     else
-        cross(unit, r, ret);
+        vec3_cross(unit, r, ret);
 }
 
 /* Of row i and column j in n columns of n. */

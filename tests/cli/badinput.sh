@@ -308,6 +308,38 @@ refuses 1 'lift: exact without phi' sling --exact flat.csv
 refuses 1 'lift: lever without phi' sling --lever flat.csv
 refuses 2 'lift: contour and design' sling --contour v_m,z_m --design v_m=1 lifts.csv
 
+# Wires.
+"$top/scripts/wire/arc" wire 1 90 2
+# wires NAME FILE SED-SCRIPT: the case with a table that has been edited.
+wires()
+{
+    sed "$3" "wire/$2.csv" >"wire/bad-$2.csv"
+    refuses 2 "wires: $1" wirebeam --set "tables.$2=bad-$2.csv" wire/case.ini
+}
+runs 0 'wires: the arc is good' wirebeam wire/case.ini
+refuses 2 'wires: a missing table' wirebeam --set tables.loads=nothing.csv wire/case.ini
+refuses 2 'wires: empty' wirebeam empty.ini
+refuses 2 'wires: a cable' wirebeam stay.ini
+refuses 2 'wires: nan as a tolerance' wirebeam --set solve.tolerance=nan wire/case.ini
+refuses 2 'wires: an angle beyond' wirebeam --set solve.largest_angle=90 wire/case.ini
+refuses 2 'wires: output is a table' wirebeam -o wire/nodes.csv wire/case.ini
+refuses 1 'wires: a file for the directory' wirebeam -d stay.ini wire/case.ini
+wires 'a coordinate of nan' nodes '2s/0,0,0/0,nan,0/'
+wires 'a coordinate of infinity' nodes '2s/0,0,0/0,inf,0/'
+wires 'a coordinate that is missing' nodes '2s/0,0,0/0,,0/'
+wires 'a cell too much' nodes '2s/$/,1/'
+wires 'a node twice' nodes '3s/^n1/n0/'
+wires 'a node without name' nodes '3s/^n1//'
+wires 'semicolons' nodes 's/,/;/g'
+wires 'no elements' elements '2,$d'
+wires 'a negative diameter' sections 's/,0.01/,-0.01/'
+wires 'no modulus' sections 's/2.06e11//'
+wires 'a negative density' sections 's/7850/-7850/'
+wires 'a support of nowhere' supports 's/^n0/n9/'
+wires 'a word as support' supports 's/,0,0,0,0,0,0/,fixed,0,0,0,0,0/'
+wires 'a load of nowhere' loads 's/^end/end2/'
+wires 'a column of springs' loads '1s/fz_N/kz_N_m/'
+
 # Mooring decks; tests/cli/decks.sh has each error of theirs.
 cp "$here/../data/decks/moordyn2.txt" deck.txt
 head -c 900 deck.txt >cut.txt

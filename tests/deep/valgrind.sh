@@ -67,13 +67,21 @@ runs 0 'gapnet --pretension' checked gapnet --pretension 1=6e5 --pretension 2=6e
 printf 'dz_m\n0\n-75\nx\n' >sunk.csv
 runs 2 'gapnet, moves that cannot be' checked gapnet --moves sunk.csv "$spread/system.ini"
 runs 0 'print-case' checked diffverf --print-case stay.ini
+runs 0 'wire' "$top/scripts/wire/arc" wire 1 90 2
+printf 'spring,node_a,kx_N_m\n1,end,5\n' >wire/springs.csv
+runs 0 wirebeam checked wirebeam --set tables.springs=springs.csv --modes 2 --stresses -d solved wire/case.ini
+runs 0 'wirebeam, arc length' checked wirebeam -q --set solve.path=arc --set solve.most_steps=2 wire/case.ini
+runs 0 'wirebeam, linear, divided' checked wirebeam --method linear --set solve.largest_angle=10 wire/case.ini
+runs 1 'wirebeam, updated' checked wirebeam --method updated wire/case.ini
+runs 2 'wirebeam, a bad table' checked wirebeam --set tables.supports=nodes.csv wire/case.ini
 runs 2 'a bad case' checked diffverf --set cable.area=x stay.ini
 
 cd "$top" || exit 1
 for test in "$SEILWERK_BUILD"/tests/*_test; do
     case ${test##*/} in # long ones: they run under the sanitizers
     line_test | march_test | chain_test | number_test | find_test | lanczos_test | load_test | \
-        backbone_test | doubt_test | damper_test | bolotin_test | floquet_test | forcing_test) continue ;;
+        backbone_test | doubt_test | damper_test | bolotin_test | floquet_test | forcing_test | \
+        frame_test | follow_test) continue ;;
     esac
     runs 0 "$(basename "$test")" checked "$test"
 done

@@ -23,6 +23,9 @@ cp -r "$here/../data/spread" spread
 printf 'dx_m\n1\n' >move.csv
 head -n 2 spread/ropes.csv >spread/one.csv
 gapnet -d solved --rope chain --set solve.elements=2 net/system.ini
+"$top/scripts/wire/arc" wire 1 90 2
+printf 'element,qz_N_m\ne1,3\n' >wire/loads.csv
+printf 'spring,node_a,kx_N_m\n1,end,5\n' >wire/springs.csv
 printf 'type,v_m,z_m,z_m_tol,phi_deg\nprimary,6,2,0.2,30\n' >lift.csv
 cat >points.csv <<END
 name,motion deck.omega,damping.beta,time.scheme
@@ -74,6 +77,16 @@ run()
     pretension) gapnet -q -o result/out.csv --pretension 1=5e5 --pretension 2=4.5e5 --by anchor \
         --stiffness body spread/system.ini ;;
     gapcheck) gapcheck -o result/out.csv solved ;;
+    wire) wirebeam -o result/out.csv --set tables.springs=springs.csv --set solve.steps=1 \
+        --set solve.largest_angle=15 wire/case.ini ;;
+    wirearc) wirebeam -q -o result/out.csv --set solve.path=arc --set solve.most_steps=2 wire/case.ini ;;
+    wiremodes) # BLAS' last digits depend on where memory lies
+        wirebeam -o result/out.csv --modes 2 --set solve.steps=1 wire/case.ini &&
+            awk -F, 'NR > 1 { $0 = sprintf("%d,%.8g", $1, $2) } { print }' result/out.csv >rounded &&
+            cp rounded result/out.csv ;;
+    wirelinear) wirebeam -q -o result/out.csv --method linear --stresses wire/case.ini ;;
+    updated) wirebeam -q -o result/out.csv --method updated --set solve.steps=2 --set tables.loads= \
+        --set 'gravity.acceleration=0 0 1e-5' wire/case.ini ;;
     table) catenary --table -o result/out.csv table.csv ;;
     stiffness) catenary --stiffness -o result/out.csv --set cable.unstressed_length= \
         --set cable.fundamental_frequency=1.25 stay.ini ;;
@@ -133,8 +146,8 @@ output()
 
 if [ -z "${SEILWERK_SANITIZED:-}" ]; then
     for tool in catenary modal diffverf sweep steady points print table stiffness sling lift exact \
-        lever contour gapnet gapnodes gapdeck writedeck \
-        seamoves seabed pretension gapcheck; do
+        lever contour gapnet gapnodes gapdeck writedeck seamoves seabed pretension gapcheck wire \
+        wirearc wiremodes wirelinear updated; do
         each_fails 'requests for memory' $tool allocation
         each_fails 'acts of writing' $tool output
     done

@@ -1,6 +1,7 @@
 /* Rigid bodies on moorings: rotations, stiffness by differences, balance, closed forms, wanted
  * tensions. */
 #include "check.h"
+#include "num/vec3.h"
 #include "phys/attitude.h"
 #include "phys/net.h"
 #include "phys/sea.h"
@@ -33,8 +34,8 @@ static void rotations(void **state)
         attitude_vector(R, back);
         for (int i = 0; i < 3; i++) /* beyond pi it is the other way round */
             near_abs(back[i], l <= PI ? w[i] : w[i] * (1 - 2 * PI / l), 1e-12);
-        attitude_apply(R, a, b);
-        attitude_undo(R, b, c);
+        mat3_apply(R, a, b);
+        mat3_apply_t(R, b, c);
         near_abs(size(b), size(a), 1e-14);
         for (int i = 0; i < 3; i++)
             near_abs(c[i], a[i], 1e-14);
@@ -53,7 +54,7 @@ static void rotations(void **state)
 
         attitude_matrix(z, R);
         attitude_turn(x, R); /* x -> y -> z */
-        attitude_apply(R, a, b);
+        mat3_apply(R, a, b);
         near_abs(b[2], 1, 1e-15);
     }
 }
@@ -154,7 +155,7 @@ static void stiffness(void **state)
                     double R[9];
 
                     attitude_matrix(move + 3, R);
-                    attitude_apply(R, lever, moved);
+                    mat3_apply(R, lever, moved);
                 }
                 for (int c = 0; c < 3; c++)
                     f.body[0].x[c] = about[c] + moved[c] + move[c];
@@ -198,8 +199,8 @@ static void turned(void **state)
     forces(&f, zero, a);
     forces(&g, zero, b);
     attitude_matrix(w, R);
-    attitude_apply(R, a, F);
-    attitude_apply(R, a + 3, F + 3);
+    mat3_apply(R, a, F);
+    mat3_apply(R, a + 3, F + 3);
     for (int i = 0; i < 6; i++)
         near_abs(b[i], F[i], 1e-7 * (i < 3 ? size(a) : size(a + 3)));
 }

@@ -97,4 +97,59 @@ static void indefinite(void **state)
     sparse_free(&A);
 }
 
-TEST_MAIN(cmocka_unit_test(random_systems), cmocka_unit_test(indefinite))
+/* L D L^T counts eigenvalues below zero: a chain of springs, shifted past some of its known ones,
+ * 2 - 2 cos(k pi/(n + 1)); it solves there, too, and y += c A x puts the answer back. */
+static void signed_factor(void **state)
+{
+    enum { CHAIN = 30 };
+    struct place place[CHAIN - 1];
+    int at[CHAIN - 1];
+    struct sparse A;
+
+    (void)state;
+    for (int k = 0; k < CHAIN - 1; k++)
+        place[k] = (struct place){k + 1, k};
+    assert_int_equal(sparse_new(CHAIN, place, CHAIN - 1, at, &A), SW_OK);
+    for (int below = 0; below <= CHAIN; below++) {
+        double shift = 2 - 2 * cos((below + 0.37) * PI / (CHAIN + 1)), x[CHAIN], b[CHAIN];
+        int negative;
+
+        for (int j = 0; j < CHAIN; j++)
+            A.value[sparse_at(&A, j, j)] = 2 - shift;
+        for (int k = 0; k < CHAIN - 1; k++)
+            A.value[at[k]] = -1;
+        assert_int_equal(sparse_factor_signed(&A, &negative), SW_OK);
+        assert_int_equal(negative, below);
+        for (int j = 0; j < CHAIN; j++)
+            x[j] = b[j] = j % 7 - 3;
+        assert_int_equal(sparse_solve(&A, 1, x), SW_OK);
+        sparse_multiply_add(&A, -1, x, b);
+        for (int j = 0; j < CHAIN; j++)
+            near_abs(b[j], 0, 1e-10); /* no pivots are chosen: growth takes some digits */
+    }
+    sparse_free(&A);
+}
+
+/* What nothing holds has a pivot that is rounding. */
+static void singular(void **state)
+{
+    const struct place place[3] = {{1, 0}, {2, 1}, {3, 2}};
+    int at[3], negative;
+    struct sparse A;
+
+    (void)state;
+    assert_int_equal(sparse_new(4, place, 3, at, &A), SW_OK);
+    for (int k = 0; k < 3; k++) { /* a free chain with uneven springs */
+        double c = 0.1 + k / 3.0;
+
+        A.value[at[k]] = -c;
+        A.value[sparse_at(&A, k, k)] += c;
+        A.value[sparse_at(&A, k + 1, k + 1)] += c;
+    }
+    assert_int_equal(sparse_factor_signed(&A, &negative), SW_INDEFINITE);
+    assert_in_range(A.failed, 0, 3);
+    sparse_free(&A);
+}
+
+TEST_MAIN(cmocka_unit_test(random_systems), cmocka_unit_test(indefinite),
+          cmocka_unit_test(signed_factor), cmocka_unit_test(singular))
