@@ -421,7 +421,7 @@ int main(int argc, char **argv)
         die(SW_USAGE, "option --body belongs to --move, --moves and --stiffness body");
     if (args.by && args.pretension.n == 0)
         die(SW_USAGE, "option --by belongs to --pretension");
-    if (args.moves && (args.common.dir || args.stiffness || args.write_deck))
+    if (args.moves && (args.common.dir || args.stiffness || args.write_deck || args.verify))
         die(SW_USAGE, "option --moves prints the curve alone");
     if (args.common.out && args.common.dir)
         die(SW_USAGE, "options -o and -d: all tables go to the directory");

@@ -140,7 +140,8 @@ enum status system_take_body(struct system *p, int i, struct why *why)
     return SW_OK;
 }
 
-/* What stands on the ground may be rounded: within that it is on the bed. */
+/* What stands on the ground may be rounded: within that it is on the bed; or its height was left to
+ * the bed. */
 enum status system_judge_bed(struct system *p, struct why *why)
 {
     for (int i = 0; i < p->net.n; i++) {
@@ -149,6 +150,8 @@ enum status system_judge_bed(struct system *p, struct why *why)
 
         if (node->held != 7 || p->sea.bed.kind == BED_NONE)
             continue;
+        if (isnan(node->x[2]))
+            node->x[2] = bed_at(&p->sea.bed, node->x[0], node->x[1], NULL);
         deep = bed_at(&p->sea.bed, node->x[0], node->x[1], NULL) - node->x[2];
         if (deep > INSIDE * (1 + fabs(node->x[2])))
             return roll_fail(why, &p->nodes, i, "'%s' is held %.4g m inside the bed",

@@ -95,8 +95,8 @@ enum status system_load(const char *path, const struct system_case *c, struct sy
 
 void system_free(struct system *s);
 
-/* What is held inside the bed, from which no rope can begin, is refused.  SW_FORMAT with the line.
- */
+/* What is held inside the bed, from which no rope can begin, is refused: SW_FORMAT with the line.
+ * Fixed nodes whose height was left open, or is that of the bed but for rounding, stand on it. */
 enum status system_judge_bed(struct system *p, struct why *why);
 
 /* Names of node i and rope r. */

@@ -109,6 +109,12 @@ static enum status take_place(const struct sheet *t, int i, struct system *p, st
     return to->held == 7 ? SW_OK : sheet_fail(why, t, i, "on a body its condition is fixed");
 }
 
+/* Whether a node that is fixed may leave it to the bed how high it is. */
+static int stands(const struct system *p, const struct net_node *node)
+{
+    return node->held == 7 && node->body == 0 && (!isnan(p->c.depth) || p->c.bed[0] != '\0');
+}
+
 static enum status take_node(const struct sheet *t, int i, struct system *p, struct why *why)
 {
     struct net_node *to = &p->net.node[i];
@@ -119,7 +125,7 @@ static enum status take_node(const struct sheet *t, int i, struct system *p, str
         s = take_place(t, i, p, to, why);
     for (int c = 0; c < 3 && s == SW_OK; c++) {
         s = sheet_number(t, i, X + c, -SYSTEM_BIG, SYSTEM_BIG, INFINITY, &to->x[c], why);
-        if (s == SW_OK && isinf(to->x[c]) && to->held & 1 << c)
+        if (s == SW_OK && isinf(to->x[c]) && to->held & 1 << c && !(c == 2 && stands(p, to)))
             s = sheet_fail(why, t, i, "a held node needs its coordinate");
         if (s == SW_OK && isinf(to->x[c]))
             to->x[c] = NAN;

@@ -117,6 +117,16 @@ agree grid/shapes.csv plane/shapes.csv x_m,y_m,z_m,tension_N 1e-8 1e-6 'are the 
 runs 0 'continuous' gapnet --set 'environment.bed_slope=0.05 0' --set tables.nodes=slope.csv -d plane chain.ini
 near "$(column tension_a_N grid/ropes.csv)" "$(column tension_a_N plane/ropes.csv)" 1e-3 \
     'and nearly the continuous rope'
+# An anchor may leave its height to the bed.
+sed 's/400,0,-30/400,0,/' slope.csv >left.csv
+runs 0 'an anchor without a height, grid' gapnet --set environment.depth= \
+    --set environment.bed=grid.csv --set tables.nodes=left.csv -d left chain.ini
+agree left/nodes.csv grid/nodes.csv x_m,y_m,z_m,fx_N,fy_N,fz_N 1e-9 1e-6 'stands on the bed'
+runs 0 'an anchor without a height, slope' gapnet --set 'environment.bed_slope=0.05 0' \
+    --set tables.nodes=left.csv -d left chain.ini
+agree left/nodes.csv plane/nodes.csv x_m,y_m,z_m,fx_N,fy_N,fz_N 1e-9 1e-6 'stands on the bed'
+refused 'an anchor without a height or a bed' 'left.csv:2: a held node needs its coordinate' \
+    --set environment.depth= --set tables.nodes=left.csv chain.ini
 # A hump under the chain carries it: the lowest point is on the bed.
 printf 'x_m,y_m,z_m\n%s\n' "$(for x in -100 100 150 200 500; do for y in -100 100; do
     echo "$x,$y,$([ $x = 150 ] && echo -40 || echo -50)"; done; done)" >hump.csv
@@ -438,6 +448,7 @@ ok $? 'is on the bed, not in it'
 # Options that do not fit.
 refused 'curve and directory' 'option --moves prints the curve alone' --moves moves.csv -d never spread.ini
 refused 'curve and stiffness' 'option --moves prints the curve alone' --moves moves.csv --stiffness body spread.ini
+refused 'curve and second method' 'option --moves prints the curve alone' --moves moves.csv --verify spread.ini
 refused 'by without pretension' 'option --by belongs to --pretension' --by anchor spread.ini
 refused 'by an unknown word' "option --by: 'chain' is not one of: length anchor" --by chain \
     --pretension 1=5e5 spread.ini
