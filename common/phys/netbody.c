@@ -364,9 +364,9 @@ static enum status step_on(struct drift *d, struct net_state *s, double *off, do
                 status = SW_OK;
         }
         *damping = fmax(*damping * 10, DAMPING);
+        move_bodies(d, 0);
         missing(d, s, d->W, &most);
     }
-    move_bodies(d, 0);
     return status == SW_OK ? SW_NOCONV : status;
 }
 
