@@ -134,8 +134,7 @@ static void explain(enum status s, int method, const struct net_state *p, struct
     else if (s == SW_INDEFINITE)
         fail(why, s, "a mechanism: nothing holds node '%s' where it is", node_name(p->worst));
     else if (s == SW_NOCONV && p->adrift > c.tolerance)
-        fail(why, s,
-             "not solved: free bodies are out of balance by %.3g of the largest tension or weight",
+        fail(why, s, "a free body finds no rest: %.3g of the largest tension or weight is missing",
              p->adrift);
     else if (s == SW_NOCONV)
         fail(why, s,

@@ -13,7 +13,7 @@
 #define FAR 0.2      /* of the size, and radians: the longest step */
 #define TRIALS 12    /* of a step's length */
 #define LITTLE 1e-9  /* of the stiffness: for what nothing holds, a turn about a single rope */
-#define GAIN 0.1     /* of what a step should take off, at the least */
+#define GAIN 0.03    /* of what a step should take off, at the least */
 #define PART 0.02    /* of a step: one that must be cut shorter leads nowhere */
 #define DAMPING 1e-3 /* of the stiffness, where a step did not help */
 
@@ -251,23 +251,37 @@ struct drift {
     double *A;               /* (6 n, 6 n) */
 };
 
-/* What is missing at the free bodies: largest force, or moment over the size, over the largest
- * tension or weight. */
-static double missing(const struct drift *d, const struct net_state *s, double *W)
+/* Forces are compared with this: the largest tension or weight. */
+static double force_scale(const struct drift *d, const struct net_state *s)
 {
-    double most = 0, scale = s->scale;
+    double scale = s->scale;
 
+    for (int i = 0; i < d->g.n; i++)
+        scale = fmax(scale, d->net->body[d->body[i]].weight);
+    return scale;
+}
+
+/* What is missing at the free bodies, to W; returns the root of the sum of its squares, moments
+ * over the size, and the largest of it. */
+static double missing(const struct drift *d, const struct net_state *s, double *W, double *ret_most)
+{
+    double sum = 0;
+
+    *ret_most = 0;
     for (int i = 0; i < d->g.n; i++) {
         double own[6];
 
         net_body_forces(d->net, s, d->body[i], d->net->body[d->body[i]].x, W + 6 * i, own);
-        scale = fmax(scale, d->net->body[d->body[i]].weight);
         for (int j = 0; j < 6; j++) {
+            double f;
+
             W[6 * i + j] += own[j];
-            most = fmax(most, fabs(W[6 * i + j]) / (j < 3 ? 1 : s->size));
+            f = fabs(W[6 * i + j]) / (j < 3 ? 1 : s->size);
+            sum += f * f;
+            *ret_most = fmax(*ret_most, f);
         }
     }
-    return most / scale;
+    return sqrt(sum);
 }
 
 /* (K + damping diagonal) step = W, not too far: shortened to *part of it. */
@@ -328,13 +342,16 @@ static enum status step_on(struct drift *d, struct net_state *s, double *off, do
     memcpy(d->before, d->net->body, sizeof *d->before * (size_t)d->net->bodies);
     for (int k = 0; k < TRIALS && status == SW_OK; k++) {
         struct net_state now;
-        double left = INFINITY, part;
+        double left = INFINITY, part, most;
 
-        if (find_step(d, *damping, s->size, &part) == SW_OK) {
+        status = find_step(d, *damping, s->size, &part);
+        if (status == SW_INDEFINITE)
+            status = SW_OK; /* more damping */
+        else if (status == SW_OK) {
             move_bodies(d, 1);
             status = net_solve(d->net, d->o, &now);
             if (status == SW_OK)
-                left = missing(d, &now, d->W);
+                left = missing(d, &now, d->W, &most);
             if (status == SW_OK && part > PART && left < *off * (1 - GAIN * part)) {
                 net_state_free(s);
                 *s = now;
@@ -347,9 +364,9 @@ static enum status step_on(struct drift *d, struct net_state *s, double *off, do
                 status = SW_OK;
         }
         *damping = fmax(*damping * 10, DAMPING);
-        missing(d, s, d->W);
+        move_bodies(d, 0);
+        missing(d, s, d->W, &most);
     }
-    move_bodies(d, 0);
     return status == SW_OK ? SW_NOCONV : status;
 }
 
@@ -391,7 +408,7 @@ static void end_drift(struct drift *d)
 enum status net_settle(struct net *net, const struct net_options *o, struct net_state *ret)
 {
     struct drift d;
-    double off, damping = LITTLE;
+    double off = 0, most = 0, damping = LITTLE;
     enum status s = net_solve(net, o, ret);
     int free_ones = 0;
 
@@ -400,12 +417,17 @@ enum status net_settle(struct net *net, const struct net_options *o, struct net_
     if (s != SW_OK || free_ones == 0)
         return s;
     s = new_drift(net, o, &d);
-    off = s == SW_OK ? missing(&d, ret, d.W) : 0;
-    for (int k = 0; k < STEPS && s == SW_OK && !(off <= o->tolerance); k++)
+    if (s == SW_OK)
+        off = missing(&d, ret, d.W, &most);
+    for (int k = 0; k < STEPS && s == SW_OK; k++) {
+        ret->adrift = most / force_scale(&d, ret);
+        if (ret->adrift <= o->tolerance)
+            break;
         s = step_on(&d, ret, &off, &damping);
-    if (s == SW_OK && !(off <= o->tolerance))
+        missing(&d, ret, d.W, &most);
+    }
+    if (s == SW_OK && !(ret->adrift <= o->tolerance))
         s = SW_NOCONV;
-    ret->adrift = off;
     end_drift(&d);
     return s;
 }

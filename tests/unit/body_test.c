@@ -1,22 +1,14 @@
 /* Rigid bodies on moorings: rotations, stiffness by differences, balance, closed forms, wanted
  * tensions. */
-#include "check.h"
+#include "nets.h"
 #include "num/vec3.h"
 #include "phys/attitude.h"
-#include "phys/net.h"
 #include "phys/sea.h"
 
 #include <string.h>
 
 #define LINES 3
 #define NODES (3 * LINES)
-
-static const struct net_options exact = {.tolerance = 5e-10, .steps = 1000, .split = 60};
-
-static double size(const double t[3])
-{
-    return hypot(hypot(t[0], t[1]), t[2]);
-}
 
 /* Rotations are those of Rodrigues: orthogonal, undone, composed, and their vectors come back. */
 static void rotations(void **state)

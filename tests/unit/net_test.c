@@ -1,40 +1,11 @@
 /* Systems of ropes: published numbers, closed forms, method against method, symmetry, random nets.
  */
-#include "check.h"
-#include "phys/net.h"
+#include "nets.h"
 
 #include <string.h>
 
 #define MOST 24    /* nodes of a test */
 #define LONGEST 40 /* elements of a chain */
-
-static const struct net_options exact = {.tolerance = 5e-10, .steps = 1000};
-
-static struct net_rope rope(int a, int b, double L0, double EA, double weight, int elements)
-{
-    return (struct net_rope){
-        .a = a,
-        .b = b,
-        .rope = {.law = {.EA = EA}, .L0 = L0, .q = {0, 0, -weight}, .elements = elements}};
-}
-
-static struct net_node at(double x, double y, double z)
-{
-    return (struct net_node){.held = 7, .x = {x, y, z}};
-}
-
-static struct net_node loose(double fx, double fy, double fz)
-{
-    return (struct net_node){.x = {NAN, NAN, NAN}, .force = {fx, fy, fz}};
-}
-
-static struct net_state solve(struct net *net, const struct net_options *o)
-{
-    struct net_state s;
-
-    assert_int_equal(net_solve(net, o, &s), SW_OK);
-    return s;
-}
 
 /* Largest length that elements of a chain lack although they pull, over the size: smoothed chords
  * must not hide slack pieces that carry something. */

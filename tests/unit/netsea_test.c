@@ -1,45 +1,11 @@
 /* Nets over a bed and in a current: closed forms, published numbers, methods against each other,
  * stiffness by differences, random moorings. */
-#include "check.h"
-#include "phys/net.h"
+#include "nets.h"
 #include "phys/sea.h"
 
 #include <string.h>
 
 #define MOST 40 /* nodes of a test */
-
-static const struct net_options exact = {.tolerance = 5e-10, .steps = 1000, .split = 100};
-
-static struct net_rope rope(int a, int b, double L0, double EA, double weight, int elements)
-{
-    return (struct net_rope){
-        .a = a,
-        .b = b,
-        .rope = {.law = {.EA = EA}, .L0 = L0, .q = {0, 0, -weight}, .elements = elements}};
-}
-
-static struct net_node at(double x, double y, double z)
-{
-    return (struct net_node){.held = 7, .x = {x, y, z}};
-}
-
-static struct net_node loose(double fx, double fy, double fz)
-{
-    return (struct net_node){.x = {NAN, NAN, NAN}, .force = {fx, fy, fz}};
-}
-
-static double size(const double t[3])
-{
-    return hypot(hypot(t[0], t[1]), t[2]);
-}
-
-static struct net_state solve(struct net *net, const struct net_options *o)
-{
-    struct net_state s;
-
-    assert_int_equal(net_solve(net, o, &s), SW_OK);
-    return s;
-}
 
 /* A chain of 410 m from an anchor to a fairlead 50 m above and 400 m away. */
 struct one_chain {
