@@ -10,6 +10,7 @@
 #define HANGING 9   /* pieces of what hangs, at each end */
 #define LYING 4     /* of a stretch that lies */
 #define ROUND_OFF 1e-13
+#define TINY 1e-14 /* of its weight: tension that is none */
 
 /* Where the rope is in its vertical plane. */
 struct stand {
@@ -148,6 +149,8 @@ static void step(struct walk *w, const double t[3], double l, const double chord
 static void hang(struct walk *w, const double to[3], double l, int n)
 {
     struct rope piece = {.law = w->p->rope.law, .L0 = l / n, .q = {0, 0, w->p->rope.q[2]}};
+
+    piece.epsilon = TINY * fabs(piece.q[2]) * l; /* slack ropes hang plumb, down to no tension */
 
     for (int k = 1; k <= n && l > 0; k++) {
         const double *now = w->at->t;

@@ -83,7 +83,8 @@ enum status voyage_new(struct net *net, const struct net_options *o, struct net_
     size_t n = 3 * (size_t)net->n;
     enum status status;
 
-    *v = (struct voyage){.net = net, .o = o, .s = s, .part = 1, .before = INFINITY};
+    *v = (struct voyage){
+        .net = net, .o = o, .s = s, .size = net_size(net), .part = 1, .before = INFINITY};
     status = net_state_new(net, o, s);
     if (status == SW_OK)
         status = net_work_new(net, &v->w);
@@ -116,6 +117,7 @@ static enum status set_sail(struct voyage *v, const struct net_state *dry)
     enum status status;
 
     net_prepare(net, &v->w, v->s);
+    v->s->size = v->size;
     status = net_begin(net, &v->w, v->s);
     if (status == SW_INDEFINITE)
         status = SW_OK; /* the bed may hold it */

@@ -146,6 +146,8 @@ static enum status solve_split(const struct net *net, const struct net_options *
     if (s == SW_OK)
         s = voyage_new(&fine->split.fine, o, &fine->state, &v);
     if (s == SW_OK)
+        v.size = net_size(net);
+    if (s == SW_OK)
         s = voyage_travel(&v, &fine->split, net->m, NULL);
     if (s == SW_OK || s == SW_NOCONV || s == SW_INDEFINITE) {
         report(&v, net->n, v.net->n, &fine->state);

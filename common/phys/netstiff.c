@@ -6,9 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIRM 1e9   /* of the bed, in place of the softness with which it was looked for */
-#define PASSES 300 /* of refinement */
-#define DONE 1e-12 /* of the first correction */
+#define FIRM 1e4    /* of the bed, in place of the softness with which it was looked for */
+#define PASSES 300  /* of refinement */
+#define DONE 1e-12  /* of the first correction */
+#define ENOUGH 1e-8 /* of it, where it gets no better */
 
 /* The system at its equilibrium, chosen nodes held. */
 struct stand {
@@ -121,7 +122,7 @@ static void apply(const struct stand *g)
  * left of the whole is nothing.  SW_NOCONV: the rest is no small part. */
 static enum status follow_on(struct stand *g)
 {
-    double first = 0, left = 0;
+    double first = 0, left = 0, before = INFINITY;
 
     for (int pass = 0; pass < PASSES; pass++) {
         enum status s;
@@ -141,8 +142,9 @@ static enum status follow_on(struct stand *g)
             }
         if (pass == 0)
             first = left;
-        if (!(left > DONE * first))
-            return SW_OK;
+        if (!(left > DONE * first) || (left > before / 2 && left < ENOUGH * first))
+            return SW_OK; /* nothing is left, or nothing but round-off */
+        before = left;
     }
     return SW_NOCONV;
 }

@@ -330,7 +330,8 @@ static void describe(const struct search *q, struct touch *ret)
     double lies = ret->flat - ret->heap, T = ret->T[q->g.hi];
 
     ret->fall[q->g.hi] = q->g.rate;
-    ret->reach[q->g.hi] = T >= q->g.rate * lies ? lies : T / q->g.rate;
+    if (T > 0)
+        ret->reach[q->g.hi] = T >= q->g.rate * lies ? lies : T / q->g.rate;
 }
 
 /* As if there were no bed: the line of one cable (theory c1).  Whether it stays above the bed. */
