@@ -518,4 +518,26 @@ refused 'drag by an unknown word' "--set solve.drag: 'never' is not one of: rene
     --set solve.drag=never chain.ini
 [ ! -e never ]
 ok $? 'nothing was written'
+
+# Slack chains: what lies without tension, on level and sloping beds, is drawn where it can lie.
+for slope in 0 0.1 -0.1; do
+    for friction in 0 0.05 0.5; do
+        for x in 0 10 100 350; do
+            printf 'node,condition,x_m,y_m,z_m\nanchor,fixed,%s,0,\nfairlead,fixed,0,0,0\n' $x >slack.csv
+            runs 0 "slack: slope $slope, friction $friction, anchor at $x m" gapnet -d slack \
+                --set tables.nodes=slack.csv --set environment.bed_slope="$slope 0" \
+                --set environment.bed_friction=$friction chain.ini
+            proven slack
+        done
+    done
+done
+
+# Over a tilted bed, the stiffness of a chain comes near to that of the continuous rope.
+printf 'node,condition,x_m,y_m,z_m\nanchor,fixed,400,0,\nfairlead,fixed,0,0,0\n' >tilted.csv
+for rope in catenary chain; do
+    runs 0 "stiffness over a tilted bed: $rope" gapnet --rope $rope --set tables.nodes=tilted.csv \
+        --set environment.bed_slope='0.05 0' --set solve.elements=400 -o $rope.csv \
+        --stiffness fairlead chain.ini
+done
+agree catenary.csv chain.csv fairlead.x_m,fairlead.z_m 0.015 100 'the same, but for an element of 1 m'
 finish
