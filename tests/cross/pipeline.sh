@@ -217,7 +217,7 @@ awk '/ an independent program: / {
     END { exit bad || n != 12 }' "$scratch/demo.txt"
 ok $? 'demo: whirling ellipses beside those of an independent program'
 grep -o "$scratch/demo/[^ ]*png" "$scratch/demo.txt" >"$scratch/pictures"
-[ "$(wc -l <"$scratch/pictures")" -eq 35 ] && xargs ls <"$scratch/pictures" >/dev/null
+[ "$(wc -l <"$scratch/pictures")" -eq 39 ] && xargs ls <"$scratch/pictures" >/dev/null
 ok $? 'demo: lists its pictures'
 
 finish
