@@ -138,7 +138,7 @@ struct net_outline {
 
 void net_outline(const struct net *net, const struct net_state *s, int r, struct net_outline *ret);
 
-#define NET_POINTS 41 /* points of a continuous rope at the most */
+#define NET_POINTS 49 /* points of a continuous rope at the most */
 
 /* Points along rope r, seen from its node a: their number, room for which must be there (elements +
  * 1, at least NET_POINTS).  Between two of them loads are uniform. */

@@ -7,7 +7,7 @@
 
 #define LOW 1e-6    /* of its length: a free node so near to the bed rests on it */
 #define NARROW 1e-9 /* of its length: ends above each other */
-#define HANGING 9   /* pieces of what hangs, at each end */
+#define HANGING 16  /* pieces of what hangs, at each end */
 #define LYING 4     /* of a stretch that lies */
 #define ROUND_OFF 1e-13
 #define TINY 1e-14 /* of its weight: tension that is none */
