@@ -82,7 +82,7 @@ run()
     wirearc) wirebeam -q -o result/out.csv --set solve.path=arc --set solve.most_steps=2 wire/case.ini ;;
     wiremodes) # BLAS' last digits depend on where memory lies
         wirebeam -o result/out.csv --modes 2 --set solve.steps=1 wire/case.ini &&
-            awk -F, 'NR > 1 { $0 = sprintf("%d,%.8g", $1, $2) } { print }' result/out.csv >rounded &&
+            awk -F, 'NR > 1 { $0 = sprintf("%d,%.4g", $1, $2) } { print }' result/out.csv >rounded &&
             cp rounded result/out.csv ;;
     wirelinear) wirebeam -q -o result/out.csv --method linear --stresses wire/case.ini ;;
     updated) wirebeam -q -o result/out.csv --method updated --set solve.steps=2 --set tables.loads= \
