@@ -81,7 +81,7 @@ for test in "$SEILWERK_BUILD"/tests/*_test; do
     case ${test##*/} in # long ones: they run under the sanitizers
     line_test | march_test | chain_test | number_test | find_test | lanczos_test | load_test | \
         backbone_test | doubt_test | damper_test | bolotin_test | floquet_test | forcing_test | \
-        frame_test | follow_test) continue ;;
+        frame_test | follow_test | netsea_test) continue ;;
     esac
     runs 0 "$(basename "$test")" checked "$test"
 done
