@@ -4,12 +4,13 @@
 #include <math.h>
 #include <string.h>
 
-#define LOOSE 1e-6 /* of the largest tension: lies as it likes */
-#define LESS 0.5   /* of a renewal, where the last one did not bring loads nearer */
-#define MORE 1.5   /* and where it did */
-#define LEAST 0.02 /* of it, at the least */
-#define USED 0.99  /* of the friction that there may be */
-#define SETTLED 12 /* rounds after which friction is no longer looked for */
+#define LOOSE 1e-6  /* of the largest tension: lies as it likes */
+#define LESS 0.5    /* of a renewal, where the last one did not bring loads nearer */
+#define MORE 1.5    /* and where it did */
+#define LEAST 0.02  /* of it, at the least */
+#define USED 0.99   /* of the friction that there may be */
+#define MARGIN 1e-3 /* of the friction that there may be */
+#define SETTLED 12  /* rounds after which friction is no longer looked for */
 
 /* Unit vector from a to b; upright where they are one. */
 static void direction(const double *a, const double *b, double ret[3])
@@ -155,6 +156,36 @@ static void stick(const struct voyage *v, const struct net_split *split, int rop
         }
 }
 
+/* What friction does at a joint: its load, and the spring where it sticks. */
+static void friction_at(const struct voyage *v, int i, double ret[3])
+{
+    const struct net_node *p = &v->net->node[i];
+
+    for (int c = 0; c < 3; c++)
+        ret[c] =
+            v->held[3 * i + c] - (c < 2 ? p->K[SYM_XX] * (v->s->x[3 * i + c] - p->anchor[c]) : 0);
+}
+
+/* Joints that are held by more than C times the bed's push slip: what they are held by goes back to
+ * that, and stays. */
+static void slip(const struct voyage *v, const struct net_split *split, int ropes)
+{
+    for (int r = 0; r < ropes; r++)
+        for (int e = split->first[r]; e < split->first[r + 1] - 1; e++) {
+            int i = v->net->rope[e].b;
+            struct net_node *node = &v->net->node[i];
+            double most = v->net->rope[e].friction * v->w.push[i], f[3], size;
+
+            friction_at(v, i, f);
+            size = net_length(f);
+            if (size <= most * (1 + MARGIN) + v->o->tolerance * v->s->scale)
+                continue;
+            node->K[SYM_XX] = node->K[SYM_YY] = 0;
+            for (int c = 0; c < 3; c++)
+                v->held[3 * i + c] = f[c] * most / size;
+        }
+}
+
 /* What current and friction do in the present shape.  Friction is looked for in states near to
  * balance only: what a tension on the way has called forth would hold itself up.  The bed can hold
  * anything up to C times its push: after some rounds it holds what it then does, within that. */
@@ -175,6 +206,8 @@ void voyage_look(struct voyage *v, const struct net_split *split, int ropes, int
     }
     if (v->rounds == SETTLED)
         stick(v, split, ropes);
+    if (near && v->rounds >= SETTLED && v->w.hard > 0)
+        slip(v, split, ropes);
     for (int i = 0; i < 3 * v->net->n; i++)
         v->fresh[i] += v->held[i];
 }

@@ -45,6 +45,7 @@ static enum status sail(struct voyage *v, const struct net_split *split, int rop
     for (int round = 0; round <= o->steps && v->s->steps <= o->steps; round++) {
         struct net_step now;
         enum status status;
+        int seen = near || v->w.hard == 0; /* friction was looked for */
 
         sunk = near || v->w.hard == 0 ? count_on_bed(v) : sunk;
         voyage_look(v, split, ropes, near);
@@ -54,7 +55,7 @@ static enum status sail(struct voyage *v, const struct net_split *split, int rop
         near = net_is_met(&now, v->s, NEAR);
         if (v->s->steps == 0)
             v->s->step[0] = now;
-        if (net_is_met(&now, v->s, o->tolerance) && sunk <= SHALLOW * v->s->size &&
+        if (seen && net_is_met(&now, v->s, o->tolerance) && sunk <= SHALLOW * v->s->size &&
             v->before <= o->tolerance * v->s->scale)
             return SW_OK;
         if (v->s->steps == o->steps)
@@ -83,8 +84,13 @@ enum status voyage_new(struct net *net, const struct net_options *o, struct net_
     size_t n = 3 * (size_t)net->n;
     enum status status;
 
-    *v = (struct voyage){
-        .net = net, .o = o, .s = s, .size = net_size(net), .part = 1, .before = INFINITY};
+    *v = (struct voyage){.net = net,
+                         .o = o,
+                         .s = s,
+                         .joints = net->n,
+                         .size = net_size(net),
+                         .part = 1,
+                         .before = INFINITY};
     status = net_state_new(net, o, s);
     if (status == SW_OK)
         status = net_work_new(net, &v->w);
@@ -110,17 +116,39 @@ void voyage_end(struct voyage *v)
     free(v->held);
 }
 
+/* As if nothing had been tried yet. */
+static void forget(struct voyage *v)
+{
+    size_t n = 3 * (size_t)v->net->n;
+
+    v->rounds = 0;
+    v->part = 1;
+    v->before = INFINITY;
+    memset(v->load, 0, n * sizeof *v->load);
+    memset(v->held, 0, n * sizeof *v->held);
+    for (size_t i = 0; i < n; i++)
+        v->net->node[i / 3].force[i % 3] = v->base[i];
+    for (int i = v->joints; i < v->net->n; i++)
+        memset(v->net->node[i].K, 0, sizeof v->net->node[i].K);
+}
+
+/* First state with the loads as they are. */
+static enum status begin(struct voyage *v)
+{
+    enum status status;
+
+    net_prepare(v->net, &v->w, v->s);
+    v->s->size = v->size;
+    status = net_begin(v->net, &v->w, v->s);
+    return status == SW_INDEFINITE ? SW_OK : status; /* the bed may hold it */
+}
+
 /* First state, ropes over the bed, the bed itself. */
 static enum status set_sail(struct voyage *v, const struct net_state *dry)
 {
     struct net *net = v->net;
-    enum status status;
+    enum status status = begin(v);
 
-    net_prepare(net, &v->w, v->s);
-    v->s->size = v->size;
-    status = net_begin(net, &v->w, v->s);
-    if (status == SW_INDEFINITE)
-        status = SW_OK; /* the bed may hold it */
     if (dry) {
         memcpy(v->s->x, dry->x, 3 * sizeof *dry->x * (size_t)net->n);
         memcpy(v->s->t, dry->t, 3 * sizeof *dry->t * (size_t)net->m);
@@ -170,7 +198,12 @@ enum status voyage_travel(struct voyage *v, const struct net_split *split, int r
     if ((status == SW_NOCONV || status == SW_INDEFINITE) && brief.steps < o->steps) {
         int steps = v->s->steps;
 
-        status = set_sail(v, dry);
+        forget(v);
+        status = begin(v);
+        voyage_look(v, split, ropes, 0); /* the drag of the first shape may be all that holds it */
+        voyage_renew(v);
+        if (status == SW_OK)
+            status = set_sail(v, dry);
         v->s->steps = steps;
         v->w.over = OVER_SMOOTH;
         if (status == SW_OK)

@@ -122,7 +122,6 @@ static enum status solve_whole(struct net *net, const struct net_options *o,
         if (net->rope[r].friction > 0 && brief.steps > VOYAGE_BRIEF)
             brief.steps = VOYAGE_BRIEF;
     s = voyage_new(net, &brief, ret, &v);
-
     if (s == SW_OK)
         s = voyage_travel(&v, NULL, 0, dry);
     if (s == SW_OK || s == SW_NOCONV)
@@ -145,8 +144,8 @@ static enum status solve_split(const struct net *net, const struct net_options *
     s = net_split_new(net, parts, o->method == NET_GAP, &fine->split);
     if (s == SW_OK)
         s = voyage_new(&fine->split.fine, o, &fine->state, &v);
-    if (s == SW_OK)
-        v.size = net_size(net);
+    v.size = net_size(net);
+    v.joints = net->n;
     if (s == SW_OK)
         s = voyage_travel(&v, &fine->split, net->m, NULL);
     if (s == SW_OK || s == SW_NOCONV || s == SW_INDEFINITE) {

@@ -20,6 +20,7 @@ struct voyage {
     double *fresh; /* (n, 3) as the present shape would have them; owned */
     double *held;  /* (n, 3) friction; owned */
     int rounds;    /* of renewal */
+    int joints;    /* first node that is a joint of a rope that was split */
     double size;   /* of the coarse net [m] */
     double part;   /* of the difference that a renewal takes */
     double before; /* difference at the last renewal */
