@@ -620,6 +620,46 @@ static double wire_time(int n)
     return t;
 }
 
+/* Milliseconds of gapnet as a whole process: a deck of nine lines, three floats between anchors and
+ * a vessel. */
+static double process_time(int count)
+{
+    char name[] = "/tmp/seilwerk-bench-XXXXXX", command[100];
+    int fd = mkstemp(name);
+    FILE *f = fd >= 0 ? fdopen(fd, "w") : NULL;
+    double t;
+
+    if (!f)
+        expect(SW_WRITE);
+    fputs("--- LINE TYPES ---\nName Diam Mass EA BA EI Cd Ca CdAx CaAx\n(-)\n"
+          "rope 0.15 25 30e6 -1 0 1 1 0 0\n--- POINTS ---\nID Type X Y Z M V CdA Ca\n(-)\n",
+          f);
+    for (int i = 0; i < 3; i++) {
+        double c = cos(2 * PI * i / 3), s = sin(2 * PI * i / 3);
+
+        fprintf(f, "%d Fixed %g %g -100 0 0 0 0\n", 4 * i + 1, 200 * c, 200 * s);
+        fprintf(f, "%d Free %g %g -40 100 2 0 0\n", 4 * i + 2, 45 * c, 45 * s);
+        fprintf(f, "%d Vessel %g %g -21 0 0 0 0\n", 4 * i + 3, 8 * c - 3 * s, 8 * s + 3 * c);
+        fprintf(f, "%d Vessel %g %g -21 0 0 0 0\n", 4 * i + 4, 8 * c + 3 * s, 8 * s - 3 * c);
+    }
+    fputs("--- LINES ---\nID Type A B Length Segs Out\n(-)\n", f);
+    for (int i = 0; i < 3; i++)
+        fprintf(f, "%d rope %d %d 168 10 -\n%d rope %d %d 45 4 -\n%d rope %d %d 45 4 -\n",
+                3 * i + 1, 4 * i + 1, 4 * i + 2, 3 * i + 2, 4 * i + 2, 4 * i + 3, 3 * i + 3,
+                4 * i + 2, 4 * i + 4);
+    fputs("--- OPTIONS ---\n100 WtrDpth\n--- END ---\n", f);
+    if (fclose(f) != 0)
+        expect(SW_WRITE);
+    snprintf(command, sizeof command, "gapnet -o /dev/null %s", name);
+    t = now();
+    for (int k = 0; k < count; k++)
+        if (system(command) != 0)
+            expect(SW_NOCONV);
+    t = 1e3 * (now() - t) / count;
+    unlink(name);
+    return t;
+}
+
 /* Nanoseconds of one printed number, random bits. */
 static double print_time(int n)
 {
@@ -715,6 +755,7 @@ int main(void)
     report("stabil, Floquet 100 x 100, 12 modes", median(floquet_time, 12), "s", 3 / scale, 0);
     report("stabil, Floquet 200 x 200, 4 modes", median(floquet_time, 4), "s", 3 / scale, 0);
     report("gapnet, nine lines, three free nodes", median(mooring_time, 200), "ms", 1 / scale, 0);
+    report("the same from a deck, a whole process", median(process_time, 20), "ms", 10 / scale, 0);
     report("gapnet, a chain on the bed", median(chain_time, 0), "ms", 0, 0);
     report("gapnet, a chain on the bed in a current", median(chain_time, 1), "ms", 100 / scale, 0);
     report("gapnet, net of 300 x 300 meshes", mesh_time(300), "s", 30 / scale, 0);
