@@ -37,8 +37,8 @@ static int nodes_are_clear(const struct net *net, const struct net_state *s)
     return 1;
 }
 
-/* Of rope r; point: room for its points. */
-static int rope_is_clear(const struct net *net, const struct net_state *s, int r,
+/* Of rope r, looked at as finely as it would be split; point: room for its points. */
+static int rope_is_clear(const struct net *net, const struct net_state *s, int r, int split,
                          struct rope_point *point)
 {
     const struct net_rope *p = &net->rope[r];
@@ -47,7 +47,8 @@ static int rope_is_clear(const struct net *net, const struct net_state *s, int r
 
     if (net_goes_over(net, p))
         return !net_over_lies(net, p, a, s->x + 3 * p->b);
-    n = net_points(net, s, r, point);
+    n = p->rope.elements > 0 ? p->rope.elements + 1 : split + 1;
+    rope_points(&p->rope, s->t + 3 * r, n, point);
     for (int k = 1; k + 1 < n; k++)
         if (a[2] + point[k].x[2] <
             bed_at(&net->sea->bed, a[0] + point[k].x[0], a[1] + point[k].x[1], NULL))
@@ -56,17 +57,17 @@ static int rope_is_clear(const struct net *net, const struct net_state *s, int r
 }
 
 /* Whether a solution without a bed stays above it.  SW_NOMEM. */
-static enum status is_clear(const struct net *net, const struct net_state *s, int *ret)
+static enum status is_clear(const struct net *net, const struct net_state *s, int split, int *ret)
 {
     struct rope_point *point;
-    int most = NET_POINTS;
+    int most = split + 1;
 
     *ret = nodes_are_clear(net, s);
     for (int r = 0; r < net->m; r++)
         most = net->rope[r].rope.elements + 1 > most ? net->rope[r].rope.elements + 1 : most;
     point = mem_zeroed((size_t)most, sizeof *point);
     for (int r = 0; r < net->m && point && *ret; r++)
-        *ret = rope_is_clear(net, s, r, point);
+        *ret = rope_is_clear(net, s, r, split, point);
     free(point);
     return point ? SW_OK : SW_NOMEM;
 }
@@ -218,7 +219,7 @@ enum status net_solve_in_sea(struct net *net, const struct net_options *o, struc
     if (s == SW_OK && net->sea->current.n == 0) {
         s = net_solve_dry(net, &brief, &dry);
         if (s == SW_OK)
-            s = is_clear(net, &dry, &clear);
+            s = is_clear(net, &dry, o->split, &clear);
         if (s == SW_OK && clear) {
             free(parts);
             *ret = dry;

@@ -186,6 +186,31 @@ static void grid_is_plane(void **state)
     near_rel(B, TB, 3e-3);
 }
 
+/* A ridge of a few metres under a rope that would hang clear of the bed beside it. */
+static void ridge(void **state)
+{
+    const double x[5] = {-1000, 206, 210, 214, 1000}, y[2] = {-10, 10};
+    const double z[10] = {-50, -50, -20, -50, -50, -50, -50, -20, -50, -50};
+    struct net_node node[2] = {at(400, 0, -30), at(0, 0, 0)};
+    struct net_rope part[1] = {rope(0, 1, 404, 1e9, 1000, 0)};
+    struct sea sea = {.bed = {BED_GRID, 0, {0, 0}, 5, 2, x, y, z}};
+    struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &sea};
+    struct net_state s = solve(&net, &exact);
+    struct rope_point point[200];
+    double push = 0;
+    int n = net_points(&net, &s, 0, point);
+    (void)state;
+
+    for (int k = 0; k < n; k++) {
+        double px = 400 + point[k].x[0];
+
+        assert_true(-30 + point[k].x[2] > bed_at(&sea.bed, px, 0, NULL) - 1e-6);
+        push += point[k].bed;
+    }
+    assert_true(push > 1000);
+    net_state_free(&s);
+}
+
 /* Force on the held node i for its displacement: K by central differences. */
 static void differences(struct net *net, int i, double h, double K[9])
 {
@@ -454,5 +479,5 @@ static void random_moorings(void **state)
 TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(chain_in_current),
           cmocka_unit_test(two_parts), cmocka_unit_test(cross_flow),
           cmocka_unit_test(buoy_in_current), cmocka_unit_test(grid_is_plane),
-          cmocka_unit_test(stiffness), cmocka_unit_test(clump_on_bed), cmocka_unit_test(extremes),
-          cmocka_unit_test(random_moorings))
+          cmocka_unit_test(ridge), cmocka_unit_test(stiffness), cmocka_unit_test(clump_on_bed),
+          cmocka_unit_test(extremes), cmocka_unit_test(random_moorings))
