@@ -160,8 +160,8 @@ report: $(RESULTS)/report.pdf
 $(RESULTS)/report.html: experiments scripts/report scripts/experiments/contents VERSION \
   $(wildcard scripts/experiments/*/about)
 	@scripts/report $(if $(QUICK),--quick) scripts/experiments $(RESULTS) >$@
-$(RESULTS)/report.pdf: $(RESULTS)/report.html
-	@weasyprint --quiet $< $@
+$(RESULTS)/report.pdf: $(RESULTS)/report.html scripts/html2pdf
+	@scripts/html2pdf $< $@
 
 TEST_ENV = SEILWERK_BUILD='$(abspath $(BUILD))' PATH='$(abspath $(BUILD))/bin':$$PATH \
   OPENBLAS_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP CC='$(CC)'
