@@ -38,6 +38,7 @@ MAN = $(wildcard man/*.[1-9])
 # Packages come before anything is compiled, if the goal is one that installs them.
 FIRST = $(if $(filter check check-deep,$(MAKECMDGOALS)),deps-check) \
   $(if $(filter demo experiment%,$(MAKECMDGOALS)),deps-demo) \
+  $(if $(filter report,$(MAKECMDGOALS)),deps-report) \
   $(if $(filter bench,$(MAKECMDGOALS)),deps-build)
 
 all: $(TOOLS:%=$(BUILD)/bin/%)
@@ -45,8 +46,10 @@ all: $(TOOLS:%=$(BUILD)/bin/%)
 help:
 	@echo 'all          build the tools into $(BUILD)/bin'
 	@echo 'demo         run the pipeline on a real stay cable; tables, CSV and PNG in $(BUILD)/demo'
-	@echo 'experiments  studies of modes and meshes in $(BUILD)/experiments; one: experiment-NAME, of'
-	@echo '             $(STUDIES)'
+	@echo 'experiments  every table and figure of the documents in $(BUILD)/experiments; QUICK=yes: coarser,'
+	@echo '             in $(BUILD)/quick; one of them: experiment-NAME, of'
+	@printf '             %s %s %s %s\n' $(EXPERIMENTS)
+	@echo 'report       experiments, then one HTML page and one PDF of them all'
 	@echo 'check        all tests;  check-deep: sanitizers, valgrind, long fuzzing, 1e8 numbers'
 	@echo 'bench        rates beside their targets'
 	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean, dist'
@@ -108,26 +111,57 @@ fuzz: $(LIBFUZZ)
 -include $(COMMON:.o=.d) $(wildcard $(BUILD)/obj/tools/*.d $(BUILD)/obj/tests/*.d $(BUILD)/obj/tests/*/*.d)
 
 # Packages: scripts/packages is the one list.
-deps: deps-build deps-check deps-demo deps-optional
+deps: deps-build deps-check deps-demo deps-report deps-optional
 deps-build:
 	@scripts/deps build
 deps-check:
 	@scripts/deps build check
 deps-demo:
 	@scripts/deps build demo
+deps-report:
+	@scripts/deps build demo report
 deps-optional:
 	@scripts/deps optional
 
 demo: all
 	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 scripts/demo '$(BUILD)/demo'
 
-# Studies: scripts/experiments/NAME/rules.mk tells what one is made of.  A study is run again only
-# when its case, a script or one of its tools has changed; its table of numbers is made last.
-STUDIES = $(patsubst scripts/experiments/%/rules.mk,%,$(wildcard scripts/experiments/*/rules.mk))
-STUDY = scripts/experiments/study.sh scripts/plot/setup.sh $(BUILD)/bin/catenary $(BUILD)/bin/modal
-RUN_STUDY = @PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 $< $(@D)
+# Experiments: every table and figure of the documents.  scripts/experiments/NAME/rules.mk tells with
+# which tools and scripts one is made.  It is run again only when its folder, one of these, or what
+# all share has changed; its comparison with published numbers when these have.
+# QUICK=yes: coarser grids and shorter runs, beside the full ones.
+QUICK =
+RESULTS = $(BUILD)/$(if $(QUICK),quick,experiments)
+EXPERIMENTS = $(patsubst scripts/experiments/%/rules.mk,%,$(wildcard scripts/experiments/*/rules.mk))
+WITH_TOOLS = @PATH='$(abspath $(BUILD))/bin':$$PATH QUICK='$(QUICK)' PICTURES=svg
+COMPARED = about rules.mk published.csv computed
+
+# experiment NAME,TOOLS,SCRIPTS
+define experiment
+experiments: experiment-$(1)
+experiment-$(1): $$(RESULTS)/$(1)/done \
+  $(if $(wildcard scripts/experiments/$(1)/published.csv),$$(RESULTS)/$(1)/comparison.csv)
+	@echo '$(1): $$(RESULTS)/$(1)'
+$$(RESULTS)/$(1)/done: $(filter-out $(COMPARED:%=scripts/experiments/$(1)/%),$(shell \
+  find scripts/experiments/$(1) -type f)) scripts/experiment $(if $(filter plot/%,$(3)),scripts/plot/setup.sh) \
+  $(3:%=scripts/%) $(2:%=$$(BUILD)/bin/%)
+	$$(WITH_TOOLS) scripts/experiment run scripts/experiments/$(1) $$(@D)
+$$(RESULTS)/$(1)/comparison.csv: $$(RESULTS)/$(1)/done scripts/published scripts/experiments/compute.sh \
+  $(wildcard scripts/experiments/$(1)/published.csv scripts/experiments/$(1)/computed)
+	$$(WITH_TOOLS) scripts/experiment compare scripts/experiments/$(1) $$(@D)
+.PHONY: experiment-$(1)
+endef
+
 experiments:
-include $(STUDIES:%=scripts/experiments/%/rules.mk)
+include $(EXPERIMENTS:%=scripts/experiments/%/rules.mk)
+
+report: $(RESULTS)/report.pdf
+	@echo 'report: $(RESULTS)/report.html and report.pdf'
+$(RESULTS)/report.html: experiments scripts/report scripts/experiments/contents VERSION \
+  $(wildcard scripts/experiments/*/about)
+	@scripts/report $(if $(QUICK),--quick) scripts/experiments $(RESULTS) >$@
+$(RESULTS)/report.pdf: $(RESULTS)/report.html scripts/html2pdf
+	@scripts/html2pdf $< $@
 
 TEST_ENV = SEILWERK_BUILD='$(abspath $(BUILD))' PATH='$(abspath $(BUILD))/bin':$$PATH \
   OPENBLAS_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP CC='$(CC)'
@@ -178,7 +212,8 @@ dist:
 	@mkdir -p $(BUILD)
 	git archive --prefix=seilwerk-$(VERSION)/ HEAD | gzip -n9 >$(BUILD)/seilwerk-$(VERSION).tar.gz
 
-.PHONY: always all help deps deps-build deps-check deps-demo deps-optional demo experiments \
+.PHONY: always all help deps deps-build deps-check deps-demo deps-report deps-optional demo \
+  experiments report \
   test-programs check check-deep check-sanitized fuzz bench install uninstall clean dist
 .SECONDARY:
 .DELETE_ON_ERROR:

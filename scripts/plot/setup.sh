@@ -46,14 +46,22 @@ place()
     at=
 }
 
-# draw: the commands on stdin make the picture; it is written when it is complete.
+# draw: the commands on stdin make the picture; it is written when it is complete.  The suffix of its
+# name says the format: png, svg or pdf.  $size and $text are for a picture that needs other ones.
+size=1200,800
+text=noenhanced
 draw()
 {
+    case $picture in
+    *.svg) terminal="svg $text size $size dynamic font 'sans-serif,16' linewidth 1.2" ;;
+    *.pdf) terminal="pdfcairo $text size $(echo "$size" | sed 's/00/in/g') font 'Sans,13'" ;;
+    *) terminal="pngcairo $text size $size font 'Sans,13' linewidth 1.2" ;;
+    esac
     {
         cat <<END
-set terminal pngcairo noenhanced size 1200,800 font 'Sans,13' linewidth 1.2
+set terminal $terminal
 set encoding utf8
-set output '$work/picture.png'
+set output '$work/picture'
 set grid linecolor rgb '#d8d8d8' linetype 1 linewidth 0.6
 set tics nomirror out
 set border 3 linecolor rgb '#404040'
@@ -64,5 +72,5 @@ END
         cat
     } >"$work/picture.gp"
     LC_ALL=C.UTF-8 gnuplot "$work/picture.gp" || fail "gnuplot could not draw $picture"
-    cat "$work/picture.png" >"$picture" || fail "$picture: cannot be written"
+    cat "$work/picture" >"$picture" || fail "$picture: cannot be written"
 }

@@ -1,0 +1,1 @@
+$(eval $(call experiment,lifts,sling,plot/lift plot/righting plot/heights))

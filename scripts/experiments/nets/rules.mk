@@ -1,0 +1,1 @@
+$(eval $(call experiment,nets,gapnet gapcheck,net/mooring net/square net/saddle plot/net plot/gaps plot/restoring))
