@@ -1,5 +1,5 @@
 # Sourced by the run scripts of the experiments with one cable: its static line, modes and motion,
-# tables and pictures, by scripts/single-cable; $dir and $suffix for what a run adds.
+# tables and pictures, by scripts/single-cable; $dir and $pictures for what a run adds.
 # shellcheck shell=sh
 set -eu
 LC_ALL=C
@@ -11,7 +11,7 @@ if [ $# -ne 1 ]; then
 fi
 case $1 in '' | -*) sed -n '2s/^# //p' "$0" >&2; exit 2 ;; esac
 dir=$1
-suffix=${PICTURES:-png}
+pictures=${PICTURES:-png}
 # shellcheck disable=SC2034
 plot=$here/../../plot
 "$here/../../single-cable" "$here/case.ini" "$dir"

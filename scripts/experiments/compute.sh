@@ -58,14 +58,6 @@ irvine_rows()
         }' "$dir/modes-printed.csv" "$dir/modes.csv"
 }
 
-# rayleigh_rows ZETA1 ZETA2 OMEGA1 OMEGA2: the two-point fit of the damping.
-rayleigh_rows()
-{
-    diffverf --print-case --set damping.alpha= --set damping.beta= \
-        --set damping.zeta="$1 $2" --set damping.omega="$3 $4" "$case" |
-        sed -n 's/^\(alpha\) = /Rayleigh \1,,/p; s/^\(beta\) = /Rayleigh \1,,/p'
-}
-
 # response_by_law_printed: the motion once more, by the law behind the published tables.
 response_by_law_printed()
 {
