@@ -1,1 +1,0 @@
-$(eval $(call experiment,sweep-seil1,catenary diffverf modal,plot/sweep experiments/study.sh))
