@@ -9,6 +9,8 @@ name=$(basename "$here")
 case=$here/case.ini
 # shellcheck disable=SC2034
 plot=$here/../../plot/$name
+# shellcheck disable=SC2034
+pictures=${PICTURES:-png}
 
 study_usage()
 {
@@ -37,7 +39,7 @@ begin_study()
         }
     done
     mkdir -p "$dir"
-    for old in $results "$name.png" table.txt; do
+    for old in $results "$name.$pictures" table.txt; do
         rm -f "$dir/$old"
     done
 }
