@@ -58,14 +58,6 @@ irvine_rows()
         }' "$dir/modes-printed.csv" "$dir/modes.csv"
 }
 
-# rayleigh_rows ZETA1 ZETA2 OMEGA1 OMEGA2: the two-point fit of the damping.
-rayleigh_rows()
-{
-    diffverf --print-case --set damping.alpha= --set damping.beta= \
-        --set damping.zeta="$1 $2" --set damping.omega="$3 $4" "$case" |
-        sed -n 's/^\(alpha\) = /Rayleigh \1,,/p; s/^\(beta\) = /Rayleigh \1,,/p'
-}
-
 # response_by_law_printed: the motion once more, by the law behind the published tables.
 response_by_law_printed()
 {
@@ -120,6 +112,61 @@ orbit_rows()
                 printf "v3/v2 %s,%s,%.8g\n", time, by, v3/v2
             }'
     done
+}
+
+# mean_rows QUANTITY COLUMN FROM TO SCALE: the mean between two times, by both laws.
+mean_rows()
+{
+    for response in response-printed response; do
+        by=$law
+        [ $response = response ] || by='law printed'
+        awk -F, -v quantity="$1" -v name="$2" -v from="$3" -v to="$4" -v scale="$5" -v by="$by" '
+            NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next }
+            $1 < from || $1 > to { next }
+            { sum += $c; n++ }
+            END { printf "%s,%s,%s\n", quantity, by, (n ? sprintf("%.10g", scale*sum/n) : "missing") }
+            ' "$dir/$response.csv"
+    done
+}
+
+# decay_rows FROM TO: frequency and rate of decay of v3 between two times, by both laws: from the
+# times at which it is zero, and from the largest values between them by least squares.
+decay_rows()
+{
+    for response in response-printed response; do
+        by=$law
+        [ $response = response ] || by='law printed'
+        awk -F, -v from="$1" -v to="$2" -v by="$by" '
+            NR == 1 { for (i = 1; i <= NF; i++) if ($i == "v3_1_m") c = i; next }
+            $1 < from || $1 > to { next }
+            {
+                x = $c
+                if (n++ && x*before <= 0 && x != before) {
+                    zero = t + ($1 - t)*before/(before - x)
+                    if (zeros++ && most > 0) {
+                        m++; y = log(most); sx += peak; sy += y; sxx += peak*peak; sxy += peak*y
+                    }
+                    if (zeros == 1) first = zero
+                    most = 0
+                }
+                if (x*x > most*most) { most = x < 0 ? -x : x; peak = $1 }
+                t = $1; before = x
+            }
+            END {
+                if (m < 3) { print "decay of v3," by ",missing"; exit }
+                printf "frequency of v3 while it dies,%s,%.8g\n", by,
+                    (zeros - 1)*atan2(0, -1)/(zero - first)
+                printf "decay of v3,%s,%.6g\n", by, -(m*sxy - sx*sy)/(m*sxx - sx*sx)
+            }' "$dir/$response.csv"
+    done
+}
+
+# rayleigh_decay_row: what the damping of the case takes from the first mode, lateral, by itself.
+rayleigh_decay_row()
+{
+    awk -F, -v alpha="$(key alpha)" -v beta="$(key beta)" '
+        NR == 2 { printf "decay of v3,first mode alone,%.6g\n", (alpha + beta*$2*$2)/2 }
+        ' "$dir/modes.csv"
 }
 
 echo quantity,by,computed
