@@ -131,9 +131,10 @@ demo: all
 # all share has changed; its comparison with published numbers when these have.
 # QUICK=yes: coarser grids and shorter runs, beside the full ones.
 QUICK =
+BIN = $(BUILD)/bin
 RESULTS = $(BUILD)/$(if $(QUICK),quick,experiments)
 EXPERIMENTS = $(patsubst scripts/experiments/%/rules.mk,%,$(wildcard scripts/experiments/*/rules.mk))
-WITH_TOOLS = @PATH='$(abspath $(BUILD))/bin':$$PATH QUICK='$(QUICK)' PICTURES=svg
+WITH_TOOLS = @PATH='$(abspath $(BIN))':$$PATH QUICK='$(QUICK)' PICTURES=svg
 COMPARED = about rules.mk published.csv computed
 
 # experiment NAME,TOOLS,SCRIPTS
@@ -144,7 +145,7 @@ experiment-$(1): $$(RESULTS)/$(1)/done \
 	@echo '$(1): $$(RESULTS)/$(1)'
 $$(RESULTS)/$(1)/done: $(filter-out $(COMPARED:%=scripts/experiments/$(1)/%),$(shell \
   find scripts/experiments/$(1) -type f)) scripts/experiment $(if $(filter plot/%,$(3)),scripts/plot/setup.sh) \
-  $(3:%=scripts/%) $(2:%=$$(BUILD)/bin/%)
+  $(3:%=scripts/%) $(2:%=$$(BIN)/%)
 	$$(WITH_TOOLS) scripts/experiment run scripts/experiments/$(1) $$(@D)
 $$(RESULTS)/$(1)/comparison.csv: $$(RESULTS)/$(1)/done scripts/published scripts/experiments/compute.sh \
   $(wildcard scripts/experiments/$(1)/published.csv scripts/experiments/$(1)/computed)

@@ -79,11 +79,11 @@ says 'gnuplot is missing' 'plot/line says so'
 
 # published: differences, digits, ranges, and what it refuses.
 cat >"$scratch/table" <<END
-quantity,unit,published,source
-a,m,1.20,"here, there"
-b,m,1.2..1.5,
-c,-,,
-d,s,2e-3,by law
+quantity,unit,published,source,why
+a,m,1.20,"here, there",
+b,m,1.2..1.5,,another mesh
+c,-,,,
+d,s,2e-3,by law,
 END
 cat >"$scratch/result" <<END
 quantity,by,computed
@@ -96,19 +96,21 @@ END
 cat >"$scratch/wanted" <<END
 quantity  unit  published  computed        diff  source
 a         m          1.20    1.2049  +4.1e-03 =  here, there
-b         m      1.2..1.5      1.65    +1.0e-01
+b         m      1.2..1.5      1.65  +1.0e-01     [1]
 c         -             -        -7
 
 quantity  unit  published  law one        diff  law two        diff  source
 d         s          2e-3    0.002  +0.0e+00 =   0.0027  +3.5e-01    by law
 
 diff: (computed - published)/published; = : equal in all published digits
+[1] another mesh
 END
 runs 0 'published: two tables' "$top/scripts/published" "$scratch/table" "$scratch/result"
 same "$scratch/wanted" "$scratch/out" 'published: the comparison'
 sed 's/1.65/1.4/; s/1.2049/1.2051/' "$scratch/result" >"$scratch/other"
-runs 0 'published: other numbers' "$top/scripts/published" "$scratch/table" "$scratch/other"
-grep -q '^b .*  within$' "$scratch/out"
+runs 1 'published: other numbers' "$top/scripts/published" "$scratch/table" "$scratch/other"
+says 'a: differs from what is published; say why' 'published: a difference needs a reason'
+grep -q '^b .*  within   *\[1\]$' "$scratch/out"
 ok $? 'published: within a range'
 grep -q '^a .* +4.3e-03    here' "$scratch/out"
 ok $? 'published: not equal in the last digit'
@@ -194,12 +196,12 @@ cp "$scratch/out" "$scratch/demo.txt"
 for experiment in ben-ahin seil1-parametric seil1-whirl seil2-ellipse seil2-whirl; do
     [ -s "$scratch/demo/$experiment/comparison.txt" ]
     ok $? "demo: comparison of $experiment"
-    [ "$(grep -c "^omega [0-9]* .* = .*FEM\$" "$scratch/demo/$experiment/comparison.txt")" -eq 17 ]
+    [ "$(grep -c "^omega [0-9]* .* = .*FEM" "$scratch/demo/$experiment/comparison.txt")" -eq 17 ]
     ok $? "demo: 17 published frequencies of $experiment in all digits"
     judge_run "$scratch/demo/$experiment" "demo: $experiment"
 done
-[ "$(grep -cE '^(1\.2|sheet).*(=|within)  ' "$scratch/demo/lifts/comparison.txt")" -eq 18 ]
-ok $? 'demo: 18 published numbers of lifts in all digits'
+[ "$(grep -cE '^(1\.2|sheet).*(=|within)  ' "$scratch/demo/lifts/comparison.txt")" -eq 19 ]
+ok $? 'demo: 19 published numbers of lifts in all digits'
 [ "$(grep -c "^largest |v2| until 20 s .* within .* within " "$scratch/demo.txt")" -eq 1 ]
 ok $? 'demo: largest motion of the stay cable as published, by both laws'
 [ "$(grep -c "^largest |v3| after 140 s .* = .* = " "$scratch/demo.txt")" -eq 1 ]

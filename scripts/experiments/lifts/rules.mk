@@ -1,1 +1,1 @@
-$(eval $(call experiment,lifts,sling,plot/lift plot/righting plot/heights))
+$(eval $(call experiment,lifts,sling,plot/lift plot/righting plot/heights plot/curves))

@@ -1,0 +1,1 @@
+$(eval $(call experiment,lift-uncertainty,sling,plot/distribution study))

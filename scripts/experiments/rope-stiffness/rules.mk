@@ -1,0 +1,1 @@
+$(eval $(call experiment,rope-stiffness,gapnet,plot/rope-stiffness))

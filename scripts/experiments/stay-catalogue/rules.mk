@@ -1,0 +1,1 @@
+$(eval $(call experiment,stay-catalogue,catenary modal stabil,plot/catalogue nearest-resonance study))
