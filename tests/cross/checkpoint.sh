@@ -40,10 +40,10 @@ runs 2 'check-point: no case' "$top/scripts/check-point" "$scratch/none.ini" 1 0
 runs 2 'check-point: nothing moves' "$top/scripts/check-point" "$case" 1 0.05 \
     --set 'motion deck.amplitude=' --set 'motion deck.omega=' --set 'motion deck.support='
 # The study of the map and its pictures.
-study=$top/scripts/experiments/stability-seil2
+study=$top/scripts/experiments/stability-levels
 plot=$top/scripts/plot/stability
-runs 2 'stability-seil2: usage' "$study/run"
-says 'usage: run DIR' 'stability-seil2: says how'
+runs 2 'stability-levels: usage' "$study/run"
+says 'usage: run DIR' 'stability-levels: says how'
 runs 2 'plot/stability: usage' "$plot"
 says 'usage: stability ' 'plot/stability: says how'
 runs 2 'plot/stability: no map' "$plot" "$study/case.ini" "$scratch/none.png"
@@ -56,18 +56,31 @@ if ! command -v gnuplot >/dev/null 2>&1; then
     skip 'no gnuplot here'
     finish
 fi
-runs 0 'stability-seil2' "$study/run" "$scratch/study"
-same "$scratch/out" "$scratch/study/table.txt" 'stability-seil2: prints its table'
+runs 0 'stability-levels' "$study/run" "$scratch/study"
+same "$scratch/out" "$scratch/study/table.txt" 'stability-levels: prints its table'
 [ ! -s "$scratch/err" ]
-ok $? 'stability-seil2: nothing on stderr'
-for map in indifference-damped indifference-undamped classical-damped classical-undamped floquet; do
+ok $? 'stability-levels: nothing on stderr'
+for map in levels floquet; do
     png "$scratch/study/$map.png"
-    ok $? "stability-seil2: $map.png"
+    ok $? "stability-levels: $map.png"
 done
 # expected 5, computed 6: to the digits of theory
 awk -F, 'NR > 1 { n++; if (($6 - $5)^2 > 0.55e-5^2) bad++ } END { exit !(n == 8 && !bad) }' \
     "$scratch/study/thresholds.csv"
-ok $? 'stability-seil2: eight thresholds, both theories, both ground motions'
+ok $? 'stability-levels: eight thresholds, both theories, both ground motions'
+runs 0 'stability-levels: differences are explained' "$top/scripts/experiment" compare "$study" \
+    "$scratch/study"
+# In its region of mode 2 the indifference theory is wider, in that of mode 1 the same.
+awk -F, 'NR > 1 { w[$1, $2, $3] = $5 - $4; a[$2] = 1 }
+    END {
+        for (x in a) {
+            n++
+            if (!(w[2, x, "indifference"] > 1.08*w[2, x, "classical"])) bad++
+            if (!((w[1, x, "indifference"] - w[1, x, "classical"])^2 < 1e-10)) bad++
+        }
+        exit !(n == 4 && !bad)
+    }' "$scratch/study/widths.csv"
+ok $? 'stability-levels: wider in the plane, the same out of it'
 # lowest points of Bolotin are where Floquet's modulus goes through 1: on the same ratio
 awk -F, '
     NR == FNR {
@@ -81,7 +94,7 @@ awk -F, '
     }
     END { exit !(n > 5000 && !bad) }' "$scratch/study/indifference-damped.csv" \
     "$scratch/study/floquet.csv"
-ok $? 'stability-seil2: Bolotin and Floquet agree in the region of mode 1'
+ok $? 'stability-levels: Bolotin and Floquet agree in the region of mode 1'
 stabil --trace --set stability.method=floquet --set stability.ratio_step=0.02 \
     "$study/case.ini" >"$scratch/trace.csv"
 runs 0 'plot/stability: curves' "$plot" "$scratch/trace.csv" "$scratch/trace.png"

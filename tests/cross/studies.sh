@@ -226,11 +226,11 @@ awk -F, 'FILENAME ~ /^single/ { row[$1 "," $2] = $0; next }
 ok $? 'row by row as single runs'
 
 # The studies and their pictures, on coarser grids.
-for study in sweep-seil1 ensemble-seil2; do
+for study in protocols ensemble-seil2; do
     runs 2 "$study: usage" "$experiments/$study/run"
     says 'usage: run DIR' "$study: says how"
 done
-for plot in sweep ensemble; do
+for plot in sweep ensemble protocol; do
     runs 2 "plot/$plot: usage" "$top/scripts/plot/$plot"
     says "usage: $plot " "plot/$plot: says how"
 done
@@ -248,16 +248,27 @@ if command -v gnuplot >/dev/null 2>&1; then
     runs 0 'plot/sweep: both ways in one table' "$top/scripts/plot/sweep" both.csv - - both.png
     cmp -s curves.png both.png && [ ! -s err ]
     ok $? 'plot/sweep: the same picture, nothing on stderr'
-    runs 0 'sweep-seil1' env RATE=0.01 "$experiments/sweep-seil1/run" sweep
-    same out sweep/table.txt 'sweep-seil1: prints its table'
+    runs 0 'protocols' env QUICK=yes "$top/scripts/experiment" all "$experiments/protocols" sweep
     [ ! -s err ]
-    ok $? 'sweep-seil1: nothing on stderr'
-    [ "$(grep -cE '^ *[0-9.]+( +-?[0-9.]+){6}  (periodic|quasi|none)' sweep/table.txt)" -eq 50 ]
-    ok $? 'sweep-seil1: 50 frequencies'
-    for part in whirl parametric; do
+    ok $? 'protocols: nothing on stderr'
+    for part in seil1-a seil1-b seil2-a seil2-b; do
         png sweep/$part.png
-        ok $? "sweep-seil1: $part.png"
+        ok $? "protocols: $part.png"
     done
+    # What the records saw, in their order; a quick sweep may add what rings down.
+    order()
+    {
+        [ "$(awk -F, -v key="$1" '$1 "," $2 "," $3 == key { print $5 }' sweep/kinds.csv | paste -s -d : |
+            grep -cE "$2")" -eq 1 ]
+        ok $? "protocols: $1: $2"
+    }
+    order 1,a,up '^quasi-static:vertical:rotation:.*counter-phase$'
+    order 1,a,down '^counter-phase:vertical:rotation:vertical:quasi-static$'
+    order 2,a,up '^quasi-static:vertical:rotation:.*counter-phase$'
+    order 2,a,rest '^quasi-static:vertical:rotation:counter-phase$'
+    order 1,b,up 'lateral parametric$'
+    order 1,b,down '^counter-phase:vertical parametric:lateral parametric'
+    order 2,b,down '^counter-phase:vertical parametric:lateral parametric'
     runs 0 'ensemble-seil2' env SIDE=6 "$experiments/ensemble-seil2/run" ensemble
     same out ensemble/table.txt 'ensemble-seil2: prints its table'
     grep -q '^54 points:' out && [ "$(wc -l <ensemble/states.csv)" -eq 55 ]
