@@ -15,7 +15,7 @@ sub run_parallel
     push @command, '--bar' if -t STDERR && !$opt{q};
     if (hosts()) {
         push @command, map { ('--sshlogin', $_) } @{$opt{sshlogin} // []};
-        push @command, map { ('--sshloginfile', m{\A[/-]|\A\.\.\z} ? $_ : "$opt{cwd}/$_") }
+        push @command, map { ('--sshloginfile', m{\A/|\A\.\.?\z} ? $_ : "$opt{cwd}/$_") }
             @{$opt{sshloginfile} // []};
         push @command, '--retries', $opt{retries} // 3, '--halt', 'soon,fail=10', '--cleanup',
             '--basefile', "$id/run", '--basefile', "$id/pack", '--return', "$id/done/{}";

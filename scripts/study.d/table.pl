@@ -61,7 +61,10 @@ sub spread
         or refuse("$where: '$word': the step does not lead from $from to $to");
     my $steps = ($to - $from)/$step*(1 + 1e-12) + 1e-9;
     $steps < 1e7 or refuse("$where: '$word': too many values");
-    return map { sprintf '%.12g', $from + $_*$step } 0 .. int $steps;
+    return map {
+        my $x = $from + $_*$step;
+        sprintf '%.12g', abs $x < 1e-9*abs $step ? 0 : $x # a zero is one, not what is left of it
+    } 0 .. int $steps;
 }
 
 # All combinations, the last column changes fastest.  The same for the words within one value.
