@@ -62,7 +62,7 @@ refused()
 }
 bad()
 {
-    printf "$1" >bad.csv
+    printf '%b' "$1" >bad.csv
     refused "$2" --print-table --table bad.csv
 }
 bad 'a.b,a.c\n1,2\n3\n' 'bad.csv:3: 1 cells; the header has 2'
@@ -155,7 +155,7 @@ says 'study: 3 points: 3 done' 'says how it went'
         area=$(echo 8e-3 9e-3 1e-2 | cut -d' ' -f$n)
         wind=$(echo ,0 0 50,0 0 60 | cut -d, -f$n)
         printf '%s,%s,' $n "$(sed -n "$((n + 1))p" list.csv)"
-        catenary --summary --set cable.area=$area --set "load.wind=$wind" stay.ini | tail -n 1
+        catenary --summary --set "cable.area=$area" --set "load.wind=$wind" stay.ini | tail -n 1
     done
 } >wanted
 same wanted list/results.csv 'is what a loop gives'
@@ -208,6 +208,7 @@ says 'file odd.sh (its contents)' 'is refused, and what differs is said'
 sed -i 's/) :/) exit 3/' odd.sh
 
 # All rows in one process.
+# shellcheck disable=SC2086
 base='--set cable.unstressed_length=110.1897 --set cable.youngs_modulus=2.1e11
     --set cable.mass_per_length=64.8 --set supports.span=110.5'
 awk 'BEGIN { print "name,cable.area"; for (i = 1; i <= 50; i++) print "s" i "," (i == 23 ? "x" : i/1e3) }' >many.csv
@@ -287,7 +288,7 @@ for signal in TERM INT HUP KILL; do
     wait $pid 2>/dev/null
     [ $? -gt 128 ]
     ok $? "SIG$signal: ends by it"
-    done_now=$(ls $signal/job-*/done | grep -cv part)
+    done_now=$(find $signal/job-*/done -type f ! -name '*part*' | wc -l)
     [ $signal = KILL ] || [ "$(($(wc -l <$signal/results.csv) - 1))" -eq "$done_now" ]
     ok $? 'what is done is collected'
     sleep 0.3
@@ -302,13 +303,14 @@ runs 1 '--collect before anything is computed' study -d none --collect --grid a.
 says '40 points: 0 done, 40 not yet computed' 'says so'
 study -q -d busy -j 1 --grid a.b=1:40:1 ./slow.sh 2>/dev/null &
 pid=$!
-for _ in $(seq 100); do [ -d busy/job-*/done ] && break; sleep 0.05; done
+for _ in $(seq 100); do [ -e busy/table.csv ] && break; sleep 0.05; done
 runs 1 'two at a time in one directory' study -d busy --grid a.b=1:40:1 ./slow.sh
 says 'another study is at work there' 'are refused'
 kill $pid
 wait $pid
 
 # Names that shells stumble over, in all places.
+# shellcheck disable=SC2016
 odd='-a "b'\'' $c;'
 at=./$odd
 mkdir "$at" && cp stay.ini "$at/$odd.ini" && mkdir "$at/with" && echo 1 >"$at/with/$odd"
@@ -353,7 +355,7 @@ slurm()
     study -d "dir 'x'" --chunk 2 --grid a.b=1:21:1 "$@" ./moody.sh
 }
 runs 0 'the sbatch file' slurm --slurm --tools tmp --slurm-option=--time=1:00:00 --slurm-option '--partition=a b'
-sed "s/job-[0-9a-f]*/job-ID/g; s|$scratch|SCRATCH|g" out >sbatch
+sed "s/job-[0-9a-f]\{12\}/job-ID/g; s|$scratch|SCRATCH|g" out >sbatch
 same "$top/tests/cli/golden/study.sbatch" sbatch 'is as recorded'
 mkdir fake
 cat >fake/sbatch <<'END'
