@@ -39,7 +39,8 @@ MAN = $(wildcard man/*.[1-9])
 FIRST = $(if $(filter check check-deep,$(MAKECMDGOALS)),deps-check) \
   $(if $(filter demo experiment%,$(MAKECMDGOALS)),deps-demo) \
   $(if $(filter report,$(MAKECMDGOALS)),deps-report) \
-  $(if $(filter bench,$(MAKECMDGOALS)),deps-build)
+  $(if $(filter bench,$(MAKECMDGOALS)),deps-build) \
+  $(if $(filter check-hosts,$(MAKECMDGOALS)),deps-hosts)
 
 all: $(TOOLS:%=$(BUILD)/bin/%)
 
@@ -51,9 +52,10 @@ help:
 	@printf '             %s %s %s %s\n' $(EXPERIMENTS)
 	@echo 'report       experiments, then one HTML page and one PDF of them all'
 	@echo 'check        all tests;  check-deep: sanitizers, valgrind, long fuzzing, 1e8 numbers'
+	@echo 'check-hosts  studies over several hosts: sshd on loopback, killed in mid-study'
 	@echo 'bench        rates beside their targets'
 	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean, dist'
-	@echo 'deps         install the Debian packages of all classes (deps-build, -check, -demo, -optional)'
+	@echo 'deps         install the Debian packages of the classes (deps-build, -check, -demo, -optional)'
 
 # Changed only when compiler or flags change: then everything is built again.
 FLAGS = $(COMPILE) $(HARDEN_LD) $(LDFLAGS)
@@ -122,6 +124,9 @@ deps-report:
 	@scripts/deps build demo report
 deps-optional:
 	@scripts/deps optional
+# Not among all: it brings an ssh server.
+deps-hosts:
+	@scripts/deps build check hosts
 
 demo: all
 	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 scripts/demo '$(BUILD)/demo'
@@ -189,19 +194,32 @@ check-sanitized:
 	@$(TEST_ENV) SEILWERK_SANITIZED=1 ASAN_OPTIONS=detect_leaks=0 prove -j2 $(UNIT) \
 	  $(sort $(wildcard tests/cli/*.sh))
 
+# Not part of check: it starts servers.
+check-hosts: all
+	@$(TEST_ENV) prove $(sort $(wildcard tests/hosts/*.sh))
+
 bench: all $(BUILD)/tests/bench
 	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 $(BUILD)/tests/bench
+
+# Where scripts/study finds its parts, from the place and the name that it is installed with.
+STUDY_PARTS = '$(DESTDIR)$(PREFIX)/share/$(PROGRAM_PREFIX)seilwerk/study'
 
 install: all
 	@mkdir -p '$(DESTDIR)$(PREFIX)/bin' $(foreach s,1 5 7,'$(DESTDIR)$(PREFIX)/share/man/man$s')
 	@for t in $(TOOLS); do \
 	  install -m 755 $(BUILD)/bin/$$t '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)'$$t || exit 1; done
+	@install -m 755 scripts/study '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)seilwerk-study'
+	@mkdir -p $(STUDY_PARTS)
+	@install -m 644 scripts/study.d/*.pl $(STUDY_PARTS)
 	@for m in $(MAN); do n=$${m##*/}; s=$${m##*.}; \
 	  case $$s in 1) n=$(PROGRAM_PREFIX)$$n ;; esac; \
 	  install -m 644 $$m '$(DESTDIR)$(PREFIX)/share/man/man'$$s/$$n || exit 1; done
 
 uninstall:
-	@for t in $(TOOLS); do rm -f '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)'$$t; done
+	@for t in $(TOOLS) seilwerk-study; do \
+	  rm -f '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)'$$t; done
+	@rm -rf $(STUDY_PARTS)
+	@rmdir '$(DESTDIR)$(PREFIX)/share/$(PROGRAM_PREFIX)seilwerk' 2>/dev/null || true
 	@for m in $(MAN); do n=$${m##*/}; s=$${m##*.}; \
 	  case $$s in 1) n=$(PROGRAM_PREFIX)$$n ;; esac; \
 	  rm -f '$(DESTDIR)$(PREFIX)/share/man/man'$$s/$$n; done
@@ -213,8 +231,8 @@ dist:
 	@mkdir -p $(BUILD)
 	git archive --prefix=seilwerk-$(VERSION)/ HEAD | gzip -n9 >$(BUILD)/seilwerk-$(VERSION).tar.gz
 
-.PHONY: always all help deps deps-build deps-check deps-demo deps-report deps-optional demo \
-  experiments report \
-  test-programs check check-deep check-sanitized fuzz bench install uninstall clean dist
+.PHONY: always all help deps deps-build deps-check deps-demo deps-report deps-optional deps-hosts \
+  demo experiments report test-programs check check-deep check-sanitized check-hosts fuzz bench \
+  install uninstall clean dist
 .SECONDARY:
 .DELETE_ON_ERROR:
