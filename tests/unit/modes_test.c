@@ -68,7 +68,8 @@ static int published_frequencies(const char *file)
         }
         error = fabs(p.omega[mode - 1] - omega) / unit_of_sixth_digit(omega);
         if (!(error <= 1))
-            print_error("%s: %s: %.9g, published %g\n", file, csv.cell[0], p.omega[mode - 1], omega);
+            print_error("%s: %s: %.9g, published %g\n", file, csv.cell[0], p.omega[mode - 1],
+                        omega);
         assert_true(error <= 1);
         worst = fmax(worst, error);
         rows++;
