@@ -33,23 +33,24 @@ ask()
     env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -C "$top" BUILD="$scratch/made" "$@" "$table"
 }
 
-# A study is run when its table is missing or a tool must be built, and after that only when its
-# case or a script is newer; the tools are left out of the question then.
+# A study is run when its results are missing, and again when its case, a script or one of its tools
+# is newer, but not when only what is said of it has changed.
 for study in crossover shape-change convergence; do
-    mkdir -p "$scratch/made/experiments/$study"
-    table=$scratch/made/experiments/$study/table.txt
-    runs 0 "make $study: no table" ask -n
-    for part in "bin/modal " "bin/catenary " "scripts/experiments/$study/run"; do
+    table=$scratch/made/experiments/$study/done
+    runs 0 "make $study: no results" ask -n
+    for part in bin/modal bin/catenary "run scripts/experiments/$study"; do
         grep -qF "$part" "$scratch/out"
         ok $? "make $study: $part"
     done
-    touch "$table"
-    parts='STUDY=scripts/experiments/study.sh scripts/plot/setup.sh'
-    runs 0 "make $study: up to date" ask -q "$parts"
-    for newer in experiments/$study/case.ini experiments/$study/run experiments/study.sh \
-        plot/$study plot/setup.sh; do
-        runs 1 "make $study: $newer is newer" ask -q "$parts" -W "scripts/$newer"
+    runs 0 "make $study: its rule" ask -np
+    grep -F "$table:" "$scratch/out" | tr ' ' '\n' >"$scratch/rule"
+    for part in experiments/$study/case.ini experiments/$study/run experiments/study.sh plot/$study \
+        plot/setup.sh experiment; do
+        grep -qxF "scripts/$part" "$scratch/rule"
+        ok $? "make $study: again when $part is newer"
     done
+    ! grep -q about "$scratch/rule"
+    ok $? "make $study: not again for its description"
 done
 
 if ! command -v gnuplot >/dev/null 2>&1; then

@@ -196,9 +196,11 @@ cp "$scratch/out" "$scratch/demo.txt"
 for experiment in ben-ahin seil1-parametric seil1-whirl seil2-ellipse seil2-whirl; do
     [ -s "$scratch/demo/$experiment/comparison.txt" ]
     ok $? "demo: comparison of $experiment"
+    judge_run "$scratch/demo/$experiment" "demo: $experiment"
+done
+for experiment in ben-ahin seil1-whirl seil2-whirl; do
     [ "$(grep -c "^omega [0-9]* .* = .*FEM" "$scratch/demo/$experiment/comparison.txt")" -eq 17 ]
     ok $? "demo: 17 published frequencies of $experiment in all digits"
-    judge_run "$scratch/demo/$experiment" "demo: $experiment"
 done
 [ "$(grep -cE '^(1\.2|sheet).*(=|within)  ' "$scratch/demo/lifts/comparison.txt")" -eq 19 ]
 ok $? 'demo: 19 published numbers of lifts in all digits'
