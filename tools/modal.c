@@ -320,7 +320,7 @@ static void print_sweep(struct out *o)
     struct {
         double most, least;
         int at;
-    } seen[MODES_DAMPED];
+    } seen[MODES_DAMPED] = {{0}};
 
     fputs("mode,coefficient_N_s_m,damped_omega_rad_s,damped_frequency_Hz,decay_1_s,damped_ratio,"
           "best\n",

@@ -85,14 +85,14 @@ static enum status take_pairs(struct in *in, double **table, int *n, struct why 
         if (*n == 0 && strtod(text, NULL) == 0 && strspn(text, " \t0.+,eE\r\n") == strlen(text))
             continue; /* the origin belongs to every table */
         s = take_pair(in->name, line, text, last, why);
-        more = s == SW_OK ? mem_resize(*table, 2 * (size_t)*n + 2, sizeof **table) : NULL;
-        if (s == SW_OK && !more)
+        if (s != SW_OK)
+            break;
+        more = mem_resize(*table, 2 * (size_t)*n + 2, sizeof **table);
+        if (!more)
             return fail_plain(why, SW_NOMEM);
-        if (s == SW_OK) {
-            *table = more;
-            memcpy(more + 2 * *n, last, sizeof last);
-            ++*n;
-        }
+        *table = more;
+        memcpy(more + 2 * *n, last, sizeof last);
+        ++*n;
     }
     if (s == SW_OK && ferror(in->f))
         s = fail(why, SW_READ, "%.400s: cannot be read", in->name);

@@ -102,7 +102,7 @@ static enum status take_nodes(struct tables *p, struct why *why)
     enum status s = SW_OK;
 
     for (int i = 0; i < p->nodes.n && s == SW_OK; i++) {
-        double load[3], support[3];
+        double load[3] = {0}, support[3] = {0};
         const char *held = sheet_text(&p->nodes, i, HELD);
 
         s = numbers(&p->nodes, i, NX, 3, p->x + 3 * i, why);
@@ -129,7 +129,7 @@ static enum status take_ropes(struct tables *p, struct why *why)
         s = roll_sort(&names, &index, why);
 
     for (int r = 0; r < p->ropes.n && s == SW_OK; r++) {
-        double elements;
+        double elements = 0;
 
         p->a[r] = roll_find(&names, &index, sheet_text(&p->ropes, r, A));
         p->b[r] = roll_find(&names, &index, sheet_text(&p->ropes, r, B));

@@ -161,9 +161,9 @@ static enum status assignments(const struct points *p, int i, struct opt_list *r
     for (int j = 0; j < p->n_columns; j++)
         bytes += strlen(p->column[j]) + strlen(p->point[i].cell[j]) + 2;
     at = *memory = mem_zeroed(bytes, 1);
-    end = at + bytes;
     if (!ret->item || !at)
         return SW_NOMEM;
+    end = at + bytes;
     for (int j = 0; j < p->sets->n; j++)
         ret->item[ret->n++] = p->sets->item[j];
     for (int j = 0; j < p->n_columns; j++)

@@ -126,11 +126,12 @@ enum status ground_response(const struct ground *g, double Omega, const double c
 {
     double complex k = 1 + I * (Omega * g->beta), m = -Omega * Omega + I * (Omega * g->alpha);
     int n = 6 * g->model->n, held[6], i = 0;
-    double complex *x = mem_zeroed(3 * (size_t)n, sizeof *x), *r = x + 2 * n;
+    double complex *x = mem_zeroed(3 * (size_t)n, sizeof *x), *r;
     enum status s;
 
     if (!x)
         return SW_NOMEM;
+    r = x + 2 * n;
     for (int node = 0; node <= g->model->n; node++)
         for (int c = 0; c < 6; c++)
             if ((node > 0 && node < g->model->n) || c % 2 == 1)

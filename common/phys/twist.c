@@ -17,7 +17,7 @@ static double moment_at(const struct frame *f, const struct frame_work *w, int i
 /* The nodes with the largest moments, by insertion. */
 static void choose(const struct frame *f, const struct frame_work *w, struct twist *t)
 {
-    double size[TWIST_NODES];
+    double size[TWIST_NODES] = {0};
 
     for (int i = 0; i < f->n; i++) {
         double here = moment_at(f, w, i);

@@ -167,15 +167,19 @@ enum status out_open(struct out *o, const char *path, struct why *why)
 /* Copy from to a new file to. */
 static int copy_file(const char *from, const char *to)
 {
-    FILE *in = fopen(from, "rb"), *out = in ? fopen(to, "wb") : NULL;
+    FILE *in = fopen(from, "rb"), *out;
     char block[65536];
     size_t n;
-    int good = out != NULL;
+    int good;
 
+    if (!in)
+        return 0;
+    out = fopen(to, "wb");
+    good = out != NULL;
     while (good && (n = fread(block, 1, sizeof block, in)) > 0)
         good = fwrite(block, 1, n, out) == n;
-    if (in && (ferror(in) || fclose(in) != 0))
-        good = 0;
+    good = good && !ferror(in);
+    fclose(in);
     if (out && fclose(out) != 0)
         good = 0;
     return good;
