@@ -96,10 +96,10 @@ static enum status is_file(const struct deck *d, const char *value, int *ret, st
 }
 
 /* An option that is a key: its entry, with the line where it stands. */
-static enum status take_key(const struct deck *d, int line, const char *name, const char *value,
-                            struct ini *to, struct why *why)
+static enum status take_key(const struct deck *d, int line, const char *name, const char *key,
+                            const char *value, struct ini *to, struct why *why)
 {
-    const char *key = key_of(name), *reason;
+    const char *reason;
     const struct ini_entry *before = ini_find(to, "environment", key);
     char text[INI_LINE_BYTES];
     double number;
@@ -127,7 +127,7 @@ static enum status take_key(const struct deck *d, int line, const char *name, co
 enum status deck_sections(const char *path, struct ini *ret, struct why *why)
 {
     struct deck d;
-    const char *name, *value;
+    const char *name, *value, *key;
     enum status s = deck_read(path, &d, why);
 
     *ret = (struct ini){.name = NULL};
@@ -139,8 +139,8 @@ enum status deck_sections(const char *path, struct ini *ret, struct why *why)
     for (int i = deck_next(&d, DECK_OPTIONS, -1); i >= 0 && s == SW_OK;
          i = deck_next(&d, DECK_OPTIONS, i)) {
         s = judge_option(&d, &d.row[i], why);
-        if (s == SW_OK && take_option(&d.row[i], &name, &value) && key_of(name))
-            s = take_key(&d, d.row[i].line, name, value, ret, why);
+        if (s == SW_OK && take_option(&d.row[i], &name, &value) && (key = key_of(name)))
+            s = take_key(&d, d.row[i].line, name, key, value, ret, why);
     }
     deck_free(&d);
     return s;
