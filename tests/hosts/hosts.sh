@@ -3,6 +3,7 @@
 # directory of its own.  One is killed in mid-study with all that runs there, then all of them.
 # Nothing outside the scratch directory is changed, but /run/sshd, which sshd insists on.
 . "$(dirname "$0")/../tap.sh"
+. "$top/tests/processes.sh"
 for program in parallel rsync ssh-keygen /usr/sbin/sshd; do
     command -v "$program" >/dev/null || {
         skip "$program is missing"
@@ -13,26 +14,11 @@ cd "$scratch" || exit 1
 PATH=$top/scripts:$PATH
 [ -d /run/sshd ] || [ "$(id -u)" -ne 0 ] || { mkdir /run/sshd && made=/run/sshd; }
 
-# below PID: it and all its descendants.
-below()
-{
-    perl -e 'my %below;
-        for (glob "/proc/[0-9]*/stat") {
-            open my $in, "<", $_ or next;
-            push @{$below{$2}}, $1 if (<$in> // "") =~ /^(\d+) \(.*\) \S (\d+)/s;
-        }
-        my @all = @ARGV;
-        for (my $i = 0; $i < @all; $i++) { push @all, @{$below{$all[$i]} // []} }
-        print "@all\n"' "$1"
-}
-
 # down HOST: its sshd and all that runs there, at one blow.
 down()
 {
     [ -s "$1/pid" ] || return 0
-    listener=$(cat "$1/pid")
-    for pid in $(below "$listener"); do kill -STOP "$pid" 2>/dev/null; done
-    for pid in $(below "$listener"); do kill -KILL "$pid" 2>/dev/null; done
+    kill_tree "$(cat "$1/pid")"
     rm -f "$1/pid"
 }
 
