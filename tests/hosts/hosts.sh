@@ -165,6 +165,13 @@ for host in h1 h2 h3; do find $host -path '*job-*' -o -path '*seilwerk*'; done >
 ok $? 'nothing is left at the hosts'
 
 rm log
+runs 0 'one host and this machine' over mixed --tools "$scratch/tools" -j 2 --sshlogin : \
+    --sshlogin "ssh -F $scratch/config h1"
+same here/results.csv mixed/results.csv 'the same bytes'
+[ "$(cut -d' ' -f2 log | sort -u | tr '\n' ' ')" = 'h1 here ' ]
+ok $? 'each had its part'
+
+rm log
 start killed
 wait_for computed 40
 ok $? 'the next study is under way'
