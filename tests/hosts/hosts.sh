@@ -1,6 +1,7 @@
 #!/bin/sh
 # scripts/study over several hosts: three sshd on loopback, each with a home, a path and a temporary
-# directory of its own.  One is killed in mid-study with all that runs there, then all of them.
+# directory of its own, so that a shell does not read, nor a kill tear, what the user has at home.
+# One is killed in mid-study with all that runs there, then all of them.
 # Nothing outside the scratch directory is changed, but /run/sshd, which sshd insists on.
 . "$(dirname "$0")/../tap.sh"
 . "$top/tests/processes.sh"
@@ -26,6 +27,7 @@ all_down()
 {
     for host in h1 h2 h3; do down $host; done
 }
+trap 'exit 143' INT TERM HUP
 trap 'all_down; rmdir ${made:+"$made"} 2>/dev/null; rm -rf "$scratch"' EXIT
 
 # up HOST: its sshd, at the port that it always had.
@@ -63,12 +65,13 @@ PasswordAuthentication no
 PermitRootLogin prohibit-password
 MaxStartups 100
 ForceCommand $scratch/h$n/enter
+SetEnv HOME=$scratch/h$n
 END
     cat >h$n/enter <<END
 #!/bin/sh
 cd '$scratch/h$n' || exit 1
-HOME=$scratch/h$n TMPDIR=$scratch/h$n/tmp PATH=/usr/bin:/bin HOST=h$n
-export HOME TMPDIR PATH HOST
+TMPDIR=$scratch/h$n/tmp PATH=/usr/bin:/bin HOST=h$n
+export TMPDIR PATH HOST
 exec sh -c "\${SSH_ORIGINAL_COMMAND:-true}"
 END
     chmod +x h$n/enter
