@@ -1,8 +1,10 @@
 #!/bin/sh
 # scripts/study over several hosts: three sshd on loopback, each with a home, a path and a temporary
-# directory of its own.  One is killed in mid-study with all that runs there, then all of them.
+# directory of its own, so that a shell does not read, nor a kill tear, what the user has at home.
+# One is killed in mid-study with all that runs there, then all of them.
 # Nothing outside the scratch directory is changed, but /run/sshd, which sshd insists on.
 . "$(dirname "$0")/../tap.sh"
+. "$top/tests/processes.sh"
 for program in parallel rsync ssh-keygen /usr/sbin/sshd; do
     command -v "$program" >/dev/null || {
         skip "$program is missing"
@@ -13,26 +15,11 @@ cd "$scratch" || exit 1
 PATH=$top/scripts:$PATH
 [ -d /run/sshd ] || [ "$(id -u)" -ne 0 ] || { mkdir /run/sshd && made=/run/sshd; }
 
-# below PID: it and all its descendants.
-below()
-{
-    perl -e 'my %below;
-        for (glob "/proc/[0-9]*/stat") {
-            open my $in, "<", $_ or next;
-            push @{$below{$2}}, $1 if (<$in> // "") =~ /^(\d+) \(.*\) \S (\d+)/s;
-        }
-        my @all = @ARGV;
-        for (my $i = 0; $i < @all; $i++) { push @all, @{$below{$all[$i]} // []} }
-        print "@all\n"' "$1"
-}
-
 # down HOST: its sshd and all that runs there, at one blow.
 down()
 {
     [ -s "$1/pid" ] || return 0
-    listener=$(cat "$1/pid")
-    for pid in $(below "$listener"); do kill -STOP "$pid" 2>/dev/null; done
-    for pid in $(below "$listener"); do kill -KILL "$pid" 2>/dev/null; done
+    kill_tree "$(cat "$1/pid")"
     rm -f "$1/pid"
 }
 
@@ -40,6 +27,7 @@ all_down()
 {
     for host in h1 h2 h3; do down $host; done
 }
+trap 'exit 143' INT TERM HUP
 trap 'all_down; rmdir ${made:+"$made"} 2>/dev/null; rm -rf "$scratch"' EXIT
 
 # up HOST: its sshd, at the port that it always had.
@@ -77,12 +65,13 @@ PasswordAuthentication no
 PermitRootLogin prohibit-password
 MaxStartups 100
 ForceCommand $scratch/h$n/enter
+SetEnv HOME=$scratch/h$n
 END
     cat >h$n/enter <<END
 #!/bin/sh
 cd '$scratch/h$n' || exit 1
-HOME=$scratch/h$n TMPDIR=$scratch/h$n/tmp PATH=/usr/bin:/bin HOST=h$n
-export HOME TMPDIR PATH HOST
+TMPDIR=$scratch/h$n/tmp PATH=/usr/bin:/bin HOST=h$n
+export TMPDIR PATH HOST
 exec sh -c "\${SSH_ORIGINAL_COMMAND:-true}"
 END
     chmod +x h$n/enter
@@ -177,6 +166,13 @@ for host in h1 h2 h3; do find $host -path '*job-*' -o -path '*seilwerk*'; done >
 [ ! -s left ] || sed 's/^/# /' left
 [ ! -s left ]
 ok $? 'nothing is left at the hosts'
+
+rm log
+runs 0 'one host and this machine' over mixed --tools "$scratch/tools" -j 2 --sshlogin : \
+    --sshlogin "ssh -F $scratch/config h1"
+same here/results.csv mixed/results.csv 'the same bytes'
+[ "$(cut -d' ' -f2 log | sort -u | tr '\n' ' ')" = 'h1 here ' ]
+ok $? 'each had its part'
 
 rm log
 start killed
