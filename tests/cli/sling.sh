@@ -34,7 +34,7 @@ ok $? 'alone: standard input is not read'
 
 # Published cases.
 runs 0 'published' sling "$cases"
-holds 'n == 8 && near(c["h_m", 3], 0.809, 6e-4) && near(c["c", 3], 1.15727, 5e-6) &&
+holds 'n == 9 && near(c["h_m", 3], 0.809, 6e-4) && near(c["c", 3], 1.15727, 5e-6) &&
     c["h_m", 2] < 0 && near(c["h_2_m", 7], 3.05, 2e-3) && near(c["h_m", 7], 1.1, 0.03) &&
     near(c["h_1_m", 8], 0.233, 2e-3) && near(c["h_2_m", 8], 2.106, 3e-4) &&
     near(c["h_m", 8], 1.1, 5e-3)' out 'published: h, joint h'
