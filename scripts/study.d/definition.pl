@@ -34,7 +34,7 @@ sub define
         next unless -f $word && ($i || $word =~ m{/});
         my $path = $real->($word);
         push @inputs, $path;
-        next unless $word =~ m{\A/|(?:\A|/)\.\.(?:/|\z)};
+        next if $path eq File::Spec->canonpath("$cwd/$word"); # not so: absolute, .., through a link
         $command[$i] = File::Spec->abs2rel($path, $cwd);
         $command[$i] = "./$command[$i]" if $command[$i] =~ /\A-/ || !$i;
     }

@@ -400,4 +400,15 @@ for chunk in 1 2; do
 done 2>/dev/null | sed -n 's/^#SBATCH --array=//p' >arrays
 printf '%s\n' 1-1000 1-1000 >wanted
 same wanted arrays 'no more than a thousand tasks'
+
+# A tool and its data behind a symbolic link.
+mkdir elsewhere
+printf '#!/bin/sh\necho x\ncat "$3"\n' >elsewhere/show
+chmod +x elsewhere/show
+echo 5 >elsewhere/data
+ln -s elsewhere link
+runs 0 'through a link' study -q -d linked --grid a.b=1,2 link/show link/data
+printf 'point,a.b,x\n1,1,5\n2,2,5\n' >wanted
+same wanted linked/results.csv 'finds the tool and its data'
+
 finish
