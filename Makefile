@@ -92,23 +92,48 @@ $(BUILD)/tests/faults.so: tests/fault/faults.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(CC) $(OWN_CPPFLAGS) -std=c11 $(WARN) -O1 -fPIC -shared -o $@ $< -ldl
 
-# A fuzz target without a fuzzer: replays the files that it is given.
+# A fuzz target without a fuzzer: replays the files that it is given.  In the one of the options exit
+# comes back into the target.
+WRAP = $(if $(filter %opt_fuzz,$@),-Wl$(comma)--wrap=exit)
+comma = ,
 $(BUILD)/tests/fuzz_%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/obj/tests/fuzz/replay.o $(LIB)
 	@mkdir -p $(@D)
-	$(LINK) -o $@ $^ $(LIBS)
+	$(LINK) -o $@ $^ $(WRAP) $(LIBS)
 
-# The same with libFuzzer: make fuzz SECONDS=600 grows the corpus under $(BUILD)/corpus.
+# The same by libFuzzer and by AFL++: all of common once for each engine, then the targets.
+# engine DIR,COMPILER,FLAGS,FLAGS OF THE LINK
+FUZZED = $(patsubst %.c,%.o,$(wildcard common/*/*.c))
+TARGETS = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/*_fuzz.c))
+define engine
+$(BUILD)/$(1)/obj/%.o: %.c $(wildcard common/*/*.h tests/fuzz/*.h)
+	@mkdir -p $$(@D)
+	$(2) $(OWN_CPPFLAGS) -std=c11 -g -O1 $(3) -c -o $$@ $$<
+$(BUILD)/$(1)/lib.a: $(FUZZED:%=$(BUILD)/$(1)/obj/%)
+	$(AR) rcs $$@ $$^
+$(TARGETS:%=$(BUILD)/$(1)/%): $(BUILD)/$(1)/%: $(BUILD)/$(1)/obj/tests/fuzz/%.o $(BUILD)/$(1)/lib.a
+	$(2) $(4) -o $$@ $$^ $$(WRAP) $(LIBS)
+endef
+$(eval $(call engine,fuzz,clang,-fsanitize=fuzzer-no-link$(comma)address$(comma)undefined,\
+  -fsanitize=fuzzer$(comma)address$(comma)undefined))
+$(eval $(call engine,afl,afl-clang-fast,,-fsanitize=fuzzer))
+LIBFUZZ = $(TARGETS:%=$(BUILD)/fuzz/%)
+
+# make fuzz SECONDS=600 grows the corpus under $(BUILD)/corpus, each reader for so long; fuzz-afl too.
 SECONDS = 60
-LIBFUZZ = $(patsubst tests/fuzz/%.c,$(BUILD)/fuzz/%,$(wildcard tests/fuzz/*_fuzz.c))
-$(BUILD)/fuzz/%: tests/fuzz/%.c $(wildcard common/*/*.[ch])
-	@mkdir -p $(@D)
-	clang $(OWN_CPPFLAGS) -std=c11 -g -O1 -fsanitize=fuzzer,address,undefined \
-	  -o $@ $< $(wildcard common/*/*.c) $(LIBS)
-
 fuzz: $(LIBFUZZ)
-	@for t in $(LIBFUZZ); do n=$${t##*/}; mkdir -p $(BUILD)/corpus/$$n; \
-	  $$t -max_total_time=$(SECONDS) -max_len=4096 -timeout=10 -print_final_stats=1 -close_fd_mask=1 \
-	    $(BUILD)/corpus/$$n tests/fuzz/corpus/$${n%_fuzz} || exit 1; done
+	@for n in $(TARGETS); do mkdir -p $(BUILD)/corpus/$$n; \
+	  $(BUILD)/fuzz/$$n -max_total_time=$(SECONDS) -max_len=4096 -timeout=10 -print_final_stats=1 \
+	    -close_fd_mask=1 -artifact_prefix=$(BUILD)/corpus/$$n- $(BUILD)/corpus/$$n \
+	    tests/fuzz/corpus/$${n%_fuzz} || exit 1; done
+
+fuzz-afl: deps-optional $(TARGETS:%=$(BUILD)/afl/%)
+	@for n in $(TARGETS); do mkdir -p $(BUILD)/corpus/afl; \
+	  AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_SKIP_CPUFREQ=1 AFL_NO_UI=1 AFL_AUTORESUME=1 \
+	    afl-fuzz -V $(SECONDS) -i tests/fuzz/corpus/$${n%_fuzz} -o $(BUILD)/corpus/afl/$$n \
+	    -t 10000 -- $(BUILD)/afl/$$n >$(BUILD)/corpus/afl/$$n.log 2>&1 || exit 1; \
+	  found=$$(find $(BUILD)/corpus/afl/$$n -path '*crashes/id*' -o -path '*hangs/id*'); \
+	  echo "$$n: $$(grep -h execs_done $(BUILD)/corpus/afl/$$n/default/fuzzer_stats) $$found"; \
+	  [ -z "$$found" ] || exit 1; done
 
 -include $(COMMON:.o=.d) $(wildcard $(BUILD)/obj/tools/*.d $(BUILD)/obj/tests/*.d $(BUILD)/obj/tests/*/*.d)
 
@@ -173,7 +198,10 @@ TEST_ENV = SEILWERK_BUILD='$(abspath $(BUILD))' PATH='$(abspath $(BUILD))/bin':$
   OPENBLAS_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP CC='$(CC)'
 SUITES = $(UNIT) $(sort $(wildcard tests/cli/*.sh tests/cross/*.sh tests/fault/*.sh))
 
-test-programs: all $(UNIT) $(FUZZ) $(HELPERS)
+# Where clang and its fuzzer are, the readers are fuzzed for some seconds, too.
+CAN_FUZZ = $(shell echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' | \
+  clang -fsanitize=fuzzer -x c - -o /dev/null 2>/dev/null && echo yes)
+test-programs: all $(UNIT) $(FUZZ) $(HELPERS) $(if $(filter check,$(MAKECMDGOALS)),$(if $(CAN_FUZZ),$(LIBFUZZ)))
 
 check: test-programs
 	@$(TEST_ENV) prove -j2 $(SUITES)
@@ -232,7 +260,7 @@ dist:
 	git archive --prefix=seilwerk-$(VERSION)/ HEAD | gzip -n9 >$(BUILD)/seilwerk-$(VERSION).tar.gz
 
 .PHONY: always all help deps deps-build deps-check deps-demo deps-report deps-optional deps-hosts \
-  demo experiments report test-programs check check-deep check-sanitized check-hosts fuzz bench \
+  demo experiments report test-programs check check-deep check-sanitized check-hosts fuzz fuzz-afl bench \
   install uninstall clean dist
 .SECONDARY:
 .DELETE_ON_ERROR:

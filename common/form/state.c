@@ -243,12 +243,14 @@ enum status state_start(const char *path, const struct model *m, double *V, doub
 
     if (s != SW_OK)
         return s;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n && s == SW_OK; i++) {
         const double *at = a.data + STATE_HEAD + i;
 
         V[i] = at[0];
         W[i] = a.data[STATE_SCHEME] == SCHEME_ALPHA ? at[n]
                                                     : (at[n] + at[2 * n] / 2) / a.data[STATE_DT];
+        if (!isfinite(W[i]))
+            s = fail(why, SW_FORMAT, "%s: is damaged: a velocity is infinite", path);
     }
     npy_free(&a);
     return s;
