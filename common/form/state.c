@@ -159,6 +159,9 @@ static enum status read_state(const char *path, const struct model *m, struct np
                        !(ret->data[STATE_DT] > 0)))
         s = fail(why, SW_FORMAT, "%s: is the state of %g elements; the case has %d", path,
                  ret->data[STATE_ELEMENTS], m->n);
+    for (size_t i = STATE_HEAD; s == SW_OK && i < STATE_HEAD + 3 * n; i++)
+        if (!isfinite(ret->data[i]))
+            s = fail(why, SW_FORMAT, "%s: is damaged: a displacement is no number", path);
     in_close_replaceable(&in);
     if (s != SW_OK)
         npy_free(ret);
