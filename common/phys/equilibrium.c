@@ -81,14 +81,17 @@ static enum status solve_step(struct iteration *it, int definite)
     return s;
 }
 
-/* Largest free force; slopes' entries are force times length: still comparable. */
+/* Largest free force; slopes' entries are forces times the length of an element. */
 static double residual(const struct iteration *it)
 {
     double most = 0;
 
-    for (int i = 0; i < it->n_free; i++)
-        if (!(fabs(it->F[it->keep[i]]) <= most))
-            most = fabs(it->F[it->keep[i]]);
+    for (int i = 0; i < it->n_free; i++) {
+        double force = fabs(it->F[it->keep[i]]) / (it->keep[i] % 2 == 1 ? it->m->h : 1);
+
+        if (!(force <= most))
+            most = force;
+    }
     return most;
 }
 
@@ -142,8 +145,7 @@ static double tolerance(const struct iteration *it, const struct line *moved)
         force = fmax(force, hypot(line->H, fmax(fabs(line->V), fabs(line->W - line->V))));
     for (size_t i = 1; i < model_unknowns(it->m); i += 2)
         slope = fmax(slope, fabs(it->V[i]));
-    return (1e-10 * force + 64 * DBL_EPSILON * it->m->line.cable.EA * slope * (1 + slope)) *
-           fmax(1, it->m->h);
+    return 1e-10 * force + 64 * DBL_EPSILON * it->m->line.cable.EA * slope * (1 + slope);
 }
 
 static enum status iterate(struct iteration *it, const struct line *moved)
@@ -154,6 +156,10 @@ static enum status iterate(struct iteration *it, const struct line *moved)
     forces(it);
     for (int i = 0; i < MAX_STEPS && s == SW_OK && !(residual(it) <= limit); i++)
         s = step(it);
+    if (s != SW_OK || !(residual(it) <= limit))
+        return s != SW_OK ? s : SW_NOCONV;
+    /* 1e-10 of the force may still be 1e-6 of a small displacement: one more step squares it. */
+    s = step(it);
     return s == SW_OK && !(residual(it) <= limit) ? SW_NOCONV : s;
 }
 

@@ -254,8 +254,12 @@ void out_cell(struct out *o, const char *text)
 
 int out_failed(struct out *o)
 {
-    if (o->error == 0 && ferror(o->f))
-        o->error = errno ? errno : EIO;
+    if (o->error == 0 && ferror(o->f)) {
+        int before = errno;
+
+        errno = 0; /* other calls may have come since; another try says the reason again */
+        o->error = fflush(o->f) != 0 && errno ? errno : before ? before : EIO;
+    }
     return o->error != 0;
 }
 

@@ -58,7 +58,7 @@ same_in_units()
             (getline line <other)
             if (line != $0) { print "# other columns"; bad = 1; exit }
             for (i = 1; i <= NF; i++) {
-                kind[i] = 0
+                kind[i] = 0; angle[i] = $i ~ /_rad$/
                 if (match($i, /_(N|m|Nm|kN|kNm|m_s)$/)) kind[i] = substr($i, RSTART + 1)
                 if ($i ~ /_(rad|deg|Hz|rad_s|t)$|^(lambda2|strain_max|slack_factor|c|c_1|c_2|ratio|multiplier)$/) kind[i] = "1"
                 if ($i ~ /^(supports|cable|gravity|motion|load|point|why|name)|_tol$/) kind[i] = 0
@@ -77,7 +77,7 @@ same_in_units()
                 factor = kind[i] == "1" ? 1 : kind[i] == "Nm" || kind[i] == "kNm" ? forces*lengths : \
                     kind[i] == "N" || kind[i] == "kN" ? forces : lengths
                 error = size(b[i]/factor - $i)
-                scale = kind[i] == "1" ? size($i) : most[kind[i]]
+                scale = kind[i] != "1" ? most[kind[i]] : angle[i] && size($i) < 1 ? 1 : size($i)
                 if (scale > 0 && error/scale > worst) { worst = error/scale; where = NR " column " i }
                 if (!(error <= tolerance*scale)) { wrong++; if (wrong < 4) print "# " NR ", column " i ": " $i " " b[i] }
             }
