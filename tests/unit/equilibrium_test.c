@@ -142,5 +142,40 @@ static void impossible_motion(void **state)
     model_free(&m);
 }
 
+/* A small motion of a short cable, in metres and in millimetres: the same to round-off, which some
+ * sums of forces of EA bring into displacements. */
+static void units(void **state)
+{
+    const struct cable c = {.L0 = 4.7153301555289,
+                            .mu = 0.101284759053,
+                            .EA = 3045222.26644542,
+                            .span = 4.45131707820821,
+                            .drop = 1.58825415511031,
+                            .g = 5.58010145369};
+    struct cable thin = c;
+    const double b[6] = {0, 0, 0, 0.000472618, 0.000945236, 0.000236309};
+    double b_thin[6], V[6 * 9], V_thin[6 * 9];
+    struct model m;
+    (void)state;
+
+    thin.L0 *= 1000;
+    thin.mu /= 1000;
+    thin.EA *= 1000;
+    thin.span *= 1000;
+    thin.drop *= 1000;
+    thin.g *= 1000;
+    for (int i = 0; i < 6; i++)
+        b_thin[i] = 1000 * b[i];
+    assert_int_equal(model_new(&c, LAW_HOOKE, 8, &m), SW_OK);
+    assert_int_equal(model_equilibrium(&m, 3, b, V), SW_OK);
+    model_free(&m);
+    assert_int_equal(model_new(&thin, LAW_HOOKE, 8, &m), SW_OK);
+    assert_int_equal(model_equilibrium(&m, 3, b_thin, V_thin), SW_OK);
+    model_free(&m);
+    for (int i = 0; i < 6 * 9; i += 2)
+        near_abs(V_thin[i], 1000 * V[i], 1e-9 * 1000 * b[4]);
+}
+
 TEST_MAIN(cmocka_unit_test(taut_cable), cmocka_unit_test(slack_cable), cmocka_unit_test(tight_loop),
-          cmocka_unit_test(fewer_terms), cmocka_unit_test(impossible_motion))
+          cmocka_unit_test(fewer_terms), cmocka_unit_test(impossible_motion),
+          cmocka_unit_test(units))
