@@ -53,6 +53,8 @@ help:
 	@echo 'report       experiments, then one HTML page and one PDF of them all'
 	@echo 'check        all tests;  check-deep: sanitizers, valgrind, long fuzzing, 1e8 numbers'
 	@echo 'check-hosts  studies over several hosts: sshd on loopback, killed in mid-study'
+	@echo 'fuzz         libFuzzer on every reader, SECONDS=60 each; fuzz-afl: AFL++'
+	@echo 'analyze      gcc -fanalyzer, cppcheck, clang-tidy'
 	@echo 'bench        rates beside their targets'
 	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean, dist'
 	@echo 'deps         install the Debian packages of the classes (deps-build, -check, -demo, -optional)'
@@ -226,6 +228,16 @@ check-sanitized:
 check-hosts: all
 	@$(TEST_ENV) prove $(sort $(wildcard tests/hosts/*.sh))
 
+# Findings are mended, or told beside the line why they are none; .clang-tidy has its own reasons.
+# Arrays of tests that loops fill are beyond cppcheck.
+ANALYZE = $(OWN_CPPFLAGS) -std=c11
+analyze: deps-optional
+	@for f in $(wildcard common/*/*.c tools/*.c); do \
+	  gcc $(ANALYZE) -O1 -fanalyzer -Werror -c -o /dev/null $$f || exit 1; done
+	@cppcheck --enable=warning,performance,portability --inline-suppr --quiet --error-exitcode=1 \
+	  $(foreach s,uninitvar legacyUninitvar ctuuninitvar,--suppress='$s:tests/*') $(filter -D%,$(ANALYZE)) -Icommon common tools tests
+	@clang-tidy --quiet $(wildcard common/*/*.c tools/*.c) -- $(ANALYZE) 2>/dev/null
+
 bench: all $(BUILD)/tests/bench
 	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 $(BUILD)/tests/bench
 
@@ -260,7 +272,7 @@ dist:
 	git archive --prefix=seilwerk-$(VERSION)/ HEAD | gzip -n9 >$(BUILD)/seilwerk-$(VERSION).tar.gz
 
 .PHONY: always all help deps deps-build deps-check deps-demo deps-report deps-optional deps-hosts \
-  demo experiments report test-programs check check-deep check-sanitized check-hosts fuzz fuzz-afl bench \
+  demo experiments report test-programs check check-deep check-sanitized check-hosts fuzz fuzz-afl analyze bench \
   install uninstall clean dist
 .SECONDARY:
 .DELETE_ON_ERROR:

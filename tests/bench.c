@@ -629,8 +629,10 @@ static double process_time(int count)
     FILE *f = fd >= 0 ? fdopen(fd, "w") : NULL;
     double t;
 
-    if (!f)
-        expect(SW_WRITE);
+    if (!f) {
+        perror(name);
+        exit(1);
+    }
     fputs("--- LINE TYPES ---\nName Diam Mass EA BA EI Cd Ca CdAx CaAx\n(-)\n"
           "rope 0.15 25 30e6 -1 0 1 1 0 0\n--- POINTS ---\nID Type X Y Z M V CdA Ca\n(-)\n",
           f);

@@ -199,6 +199,7 @@ static double lower_bound(const struct row_box *r, double *best)
         stack[0].hi[k] = g->x[r->number[k]] + g->tol[r->number[k]];
     }
     while (n > 0) {
+        // cppcheck-suppress uninitvar  // of r->n >= 1 numbers, and no others are read
         struct box b = stack[--n];
         struct span h;
         double bound;

@@ -50,6 +50,7 @@ enum status wire_case_load(const char *path, const struct opt_list *sets, struct
                            struct why *why)
 {
     struct ini ini = {0};
+    // cppcheck-suppress ctuuninitvar  // why is to be filled
     struct reading r = {&ini, NULL, keys, N_KEYS, "", why};
     struct in in;
     enum status s = in_open(path, &in, why);

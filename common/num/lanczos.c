@@ -136,7 +136,7 @@ static enum status extract(struct run *r, double *lambda, double *x)
         double *to;
 
         for (int j = 0; j < k; j++)
-            rank += nu[j] > nu[i] || (nu[j] == nu[i] && j < i);
+            rank += nu[j] > nu[i] || (j < i && nu[j] == nu[i]);
         to = x + (size_t)r->n * (size_t)rank;
         if (!(nu[i] > 0))
             return SW_NOCONV;

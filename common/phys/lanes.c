@@ -152,7 +152,7 @@ void lanes_clear(struct lanes *p, int i)
         lanes_vector *v = &p->motion[j].c; /* nothing but vectors */
 
         for (size_t k = 0; k < sizeof(struct lanes_motion) / sizeof *v; k++)
-            v[k][i] = 0;
+            v[k][i] = 0; // cppcheck-suppress objectIndex  // all of the struct, see there
     }
     p->ramps[i] = p->n_source[i] = 0;
     p->dt[i] = 0;

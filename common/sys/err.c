@@ -15,6 +15,7 @@ enum status fail(struct why *w, enum status s, const char *format, ...)
     va_list args;
 
     va_start(args, format);
+    // cppcheck-suppress ctuuninitvar  // it is filled here
     vsnprintf(w->text, sizeof w->text, format, args);
     va_end(args);
     return s;

@@ -176,7 +176,7 @@ enum status npy_read(const struct in *in, struct npy *ret, struct why *why)
     enum status s = read_header(in, &header, why);
 
     *ret = (struct npy){0};
-    if (s == SW_OK)
+    if (s == SW_OK && header)
         s = judge_header(in, header, &fortran, ret, why);
     free(header);
     if (s == SW_OK)

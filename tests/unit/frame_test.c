@@ -329,7 +329,7 @@ static void own_weight(void **state)
         near_rel(p.w.open[2], PI / 2, 1e-3); /* length of the cubics */
         for (int i = 0; i < 4000; i++) {     /* unit load at the tip against the weight beyond a */
             double a = PI / 2 * (i + 0.5) / 4000, s = sin(a), c = cos(a);
-            double M1 = s, T1 = 1 - c, Mw = 1 - c, Tw = a - s;
+            double M1 = s, Mw = 1 - c, T1 = Mw, Tw = a - s;
 
             wanted -= (M1 * Mw + T1 * Tw / 0.77) * PI / 2 / 4000;
         }
