@@ -181,6 +181,9 @@ test-programs: all $(UNIT) $(FUZZ) $(HELPERS)
 check: test-programs
 	@$(TEST_ENV) prove -j2 $(SUITES)
 
+check-unit: $(UNIT)
+	@$(TEST_ENV) prove $(UNIT)
+
 # The same tests under the sanitizers, then what takes long.  Other flags need another build tree:
 # the one place where make calls itself.
 SANITIZE = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -253,7 +256,7 @@ deb: deps-package
 	@scripts/deb '$(BUILD)/deb'
 
 .PHONY: always all help deps deps-build deps-check deps-demo deps-report deps-optional deps-hosts \
-  deps-package demo experiments report test-programs check check-deep check-sanitized check-hosts \
-  fuzz bench install uninstall clean dist deb
+  deps-package demo experiments report test-programs check check-unit check-deep check-sanitized \
+  check-hosts fuzz bench install uninstall clean dist deb
 .SECONDARY:
 .DELETE_ON_ERROR:
