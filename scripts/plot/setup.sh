@@ -72,5 +72,13 @@ END
         cat
     } >"$work/picture.gp"
     LC_ALL=C.UTF-8 gnuplot "$work/picture.gp" || fail "gnuplot could not draw $picture"
+    # PDF holds the time at which it was made: the same picture is to be the same file.  The date that
+    # stands in its place is as long, so the table of offsets at the end stays right.
+    case $picture in
+    *.pdf)
+        LC_ALL=C sed 's/Date (D:[0-9]\{14\}/Date (D:19700101000000/' "$work/picture" >"$work/dated"
+        mv "$work/dated" "$work/picture"
+        ;;
+    esac
     cat "$work/picture" >"$picture" || fail "$picture: cannot be written"
 }
