@@ -14,17 +14,17 @@ ok $? 'results of all tools'
 # other NAME ARGUMENT...: those of another build, which make makes with these arguments.
 other()
 {
-    name=$1
+    other=$1
     shift
-    runs 0 "$name: build" make -s -C "$top" BUILD="$SEILWERK_BUILD/$name" "$@" all
-    [ -x "$SEILWERK_BUILD/$name/bin/catenary" ] && (
-        PATH=$SEILWERK_BUILD/$name/bin:$built
-        results "$scratch/$name"
+    runs 0 "$other: build" make -s -C "$top" BUILD="$SEILWERK_BUILD/$other" "$@" all
+    [ -x "$SEILWERK_BUILD/$other/bin/catenary" ] && (
+        PATH=$SEILWERK_BUILD/$other/bin:$built
+        results "$scratch/$other"
     )
-    ok $? "$name: results"
-    alike "$scratch/one" "$scratch/$name" 1e-9 1e-9
-    ok $? "$name: the same numbers"
-    diff -rq "$scratch/one" "$scratch/$name" | sed 's/^/# /'
+    ok $? "$other: results"
+    alike "$scratch/one" "$scratch/$other" 1e-9 1e-9
+    ok $? "$other: the same numbers"
+    diff -rq "$scratch/one" "$scratch/$other" | sed 's/^/# /'
 }
 other o2 CC=gcc CFLAGS='-O2 -g'
 if command -v clang >/dev/null; then
