@@ -30,10 +30,17 @@ begin()
     trap 'rm -rf "$work"' EXIT
 }
 
+# A text as it may stand between quotes of gnuplot: it ends there, and what is between backquotes is
+# run; a newline ends the command.
+plain()
+{
+    printf '%s' "$1" | tr "'\"\`\\\\\\n" '     '
+}
+
 # What the picture is about: the name of the directory that holds FILE.
 about()
 {
-    basename "$(cd "$(dirname "$1")" && pwd)" | tr "'" ' '
+    plain "$(basename "$(cd -- "$(dirname -- "$1")" && pwd)")"
 }
 
 # place CASE PROBE: "0.5 L0", where the resolved case says that the probe is, or "probe 1".
