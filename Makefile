@@ -56,7 +56,7 @@ help:
 	@echo 'bench        rates beside their targets'
 	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean'
 	@echo 'dist, deb    source archive; Debian source and binary package in $(BUILD)/deb'
-	@echo 'deps         install the Debian packages of the classes (deps-build, -check, -demo, -optional)'
+	@echo 'deps         install the Debian packages of the classes (deps-build, -check, -demo, -package ...)'
 
 # Changed only when compiler or flags change: then everything is built again.
 FLAGS = $(COMPILE) $(HARDEN_LD) $(LDFLAGS)
