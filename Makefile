@@ -56,8 +56,9 @@ help:
 	@echo 'fuzz         libFuzzer on every reader, SECONDS=60 each; fuzz-afl: AFL++'
 	@echo 'analyze      gcc -fanalyzer, cppcheck, clang-tidy'
 	@echo 'bench        rates beside their targets'
-	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean, dist'
-	@echo 'deps         install the Debian packages of the classes (deps-build, -check, -demo, -optional)'
+	@echo 'install, uninstall (PREFIX, DESTDIR, PROGRAM_PREFIX), clean'
+	@echo 'dist, deb    source archive; Debian source and binary package in $(BUILD)/deb'
+	@echo 'deps         install the Debian packages of the classes (deps-build, -check, -demo, -package ...)'
 
 # Changed only when compiler or flags change: then everything is built again.
 FLAGS = $(COMPILE) $(HARDEN_LD) $(LDFLAGS)
@@ -151,7 +152,9 @@ deps-report:
 	@scripts/deps build demo report
 deps-optional:
 	@scripts/deps optional
-# Not among all: it brings an ssh server.
+# Not among all: the tools of Debian packages; an ssh server.
+deps-package:
+	@scripts/deps build package
 deps-hosts:
 	@scripts/deps build check hosts
 
@@ -208,6 +211,9 @@ test-programs: all $(UNIT) $(FUZZ) $(HELPERS) $(if $(filter check,$(MAKECMDGOALS
 check: test-programs
 	@$(TEST_ENV) prove -j2 $(SUITES)
 
+check-unit: $(UNIT)
+	@$(TEST_ENV) prove $(UNIT)
+
 # The same tests under the sanitizers, then what takes long.  Other flags need another build tree:
 # the one place where make calls itself.
 SANITIZE = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -241,38 +247,56 @@ analyze: deps-optional
 bench: all $(BUILD)/tests/bench
 	@PATH='$(abspath $(BUILD))/bin':$$PATH OPENBLAS_NUM_THREADS=1 $(BUILD)/tests/bench
 
-# Where scripts/study finds its parts, from the place and the name that it is installed with.
-STUDY_PARTS = '$(DESTDIR)$(PREFIX)/share/$(PROGRAM_PREFIX)seilwerk/study'
+SHARE = $(PREFIX)/share
+# Where scripts/study finds its parts, from the place and the name that it is installed with; and
+# the list of the directories that were made, for make uninstall.
+OWN = $(SHARE)/$(PROGRAM_PREFIX)seilwerk
+# Completion: files of the names that the commands are installed with.
+BASH_FILES = $(SHARE)/bash-completion/completions
+ZSH_FILES = $(SHARE)/zsh/site-functions
+COMMANDS = $(TOOLS) seilwerk-study
 
 install: all
-	@mkdir -p '$(DESTDIR)$(PREFIX)/bin' $(foreach s,1 5 7,'$(DESTDIR)$(PREFIX)/share/man/man$s')
+	@scripts/directories make '$(DESTDIR)' '$(OWN)/directories' '$(PREFIX)/bin' \
+	  $(foreach s,1 5 7,'$(SHARE)/man/man$s') '$(OWN)/study' '$(BASH_FILES)' '$(ZSH_FILES)'
 	@for t in $(TOOLS); do \
-	  install -m 755 $(BUILD)/bin/$$t '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)'$$t || exit 1; done
+	  install -m 755 '$(BUILD)'/bin/$$t '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)'$$t || exit 1; done
 	@install -m 755 scripts/study '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)seilwerk-study'
-	@mkdir -p $(STUDY_PARTS)
-	@install -m 644 scripts/study.d/*.pl $(STUDY_PARTS)
+	@install -m 644 scripts/study.d/*.pl '$(DESTDIR)$(OWN)/study'
 	@for m in $(MAN); do n=$${m##*/}; s=$${m##*.}; \
-	  case $$s in 1) n=$(PROGRAM_PREFIX)$$n ;; esac; \
-	  install -m 644 $$m '$(DESTDIR)$(PREFIX)/share/man/man'$$s/$$n || exit 1; done
+	  case $$s in 1) n='$(PROGRAM_PREFIX)'$$n ;; esac; \
+	  install -m 644 $$m '$(DESTDIR)$(SHARE)/man/man'$$s/"$$n" || exit 1; done
+	@umask 022; for t in $(COMMANDS); do n='$(PROGRAM_PREFIX)'$$t; \
+	  '$(DESTDIR)$(PREFIX)/bin/'"$$n" --options >'$(DESTDIR)$(OWN)/options.part' && \
+	  scripts/completion bash "$$n" <'$(DESTDIR)$(OWN)/options.part' >'$(DESTDIR)$(BASH_FILES)/'"$$n" && \
+	  scripts/completion zsh "$$n" <'$(DESTDIR)$(OWN)/options.part' >'$(DESTDIR)$(ZSH_FILES)/_'"$$n" || \
+	  exit 1; done; rm -f '$(DESTDIR)$(OWN)/options.part'
 
 uninstall:
-	@for t in $(TOOLS) seilwerk-study; do \
-	  rm -f '$(DESTDIR)$(PREFIX)/bin/$(PROGRAM_PREFIX)'$$t; done
-	@rm -rf $(STUDY_PARTS)
-	@rmdir '$(DESTDIR)$(PREFIX)/share/$(PROGRAM_PREFIX)seilwerk' 2>/dev/null || true
+	@for t in $(COMMANDS); do n='$(PROGRAM_PREFIX)'$$t; rm -f '$(DESTDIR)$(PREFIX)/bin/'"$$n" \
+	  '$(DESTDIR)$(BASH_FILES)/'"$$n" '$(DESTDIR)$(ZSH_FILES)/_'"$$n"; done
+	@for p in scripts/study.d/*.pl; do rm -f '$(DESTDIR)$(OWN)/study/'"$${p##*/}"; done
 	@for m in $(MAN); do n=$${m##*/}; s=$${m##*.}; \
-	  case $$s in 1) n=$(PROGRAM_PREFIX)$$n ;; esac; \
-	  rm -f '$(DESTDIR)$(PREFIX)/share/man/man'$$s/$$n; done
+	  case $$s in 1) n='$(PROGRAM_PREFIX)'$$n ;; esac; \
+	  rm -f '$(DESTDIR)$(SHARE)/man/man'$$s/"$$n"; done
+	@scripts/directories remove '$(DESTDIR)' '$(OWN)/directories'
 
 clean:
 	rm -rf $(BUILD)
 
+# The same bytes whoever makes it, where and when: what is committed, in the order of the tree, with
+# the date of the commit; no owner, umask or local attribute of this machine.
+DIST = $(BUILD)/seilwerk-$(VERSION).tar.gz
 dist:
-	@mkdir -p $(BUILD)
-	git archive --prefix=seilwerk-$(VERSION)/ HEAD | gzip -n9 >$(BUILD)/seilwerk-$(VERSION).tar.gz
+	@mkdir -p '$(BUILD)'
+	@scripts/dist >'$(DIST).part' && mv '$(DIST).part' '$(DIST)'
+	@echo '$(DIST)'
+
+deb: deps-package
+	@scripts/deb '$(BUILD)/deb'
 
 .PHONY: always all help deps deps-build deps-check deps-demo deps-report deps-optional deps-hosts \
-  demo experiments report test-programs check check-deep check-sanitized check-hosts fuzz fuzz-afl analyze bench \
-  install uninstall clean dist
+  deps-package demo experiments report test-programs check check-unit check-deep check-sanitized \
+  check-hosts fuzz fuzz-afl analyze bench install uninstall clean dist deb
 .SECONDARY:
 .DELETE_ON_ERROR:

@@ -26,7 +26,7 @@ static const struct opt_tool tool = {
     "Whether two files, both CSV or both .npy, hold the same numbers: |x - y| <= ABS + REL "
     "max(|x|, |y|).\nStatus 0: they do; 1: they do not, and the worst place is printed; 2: they "
     "cannot be read.",
-    options};
+    options, NULL};
 
 /* The worst place so far: excess is |x - y| over what is allowed, infinite for texts. */
 struct worst {

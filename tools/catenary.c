@@ -26,7 +26,8 @@ static const struct opt options[] = {
 
 static const struct opt_tool tool = {
     "catenary", "CASE | --table [FILE]",
-    "Static line of one elastic cable under its own weight, ice, wind and temperature.", options};
+    "Static line of one elastic cable under its own weight, ice, wind and temperature.", options,
+    case_name_keys};
 
 /* Point of the line in space: place, and tension as a vector towards the right end. */
 struct space_point {

@@ -38,7 +38,7 @@ static const struct opt options[] = {
 
 static const struct opt_tool tool = {"diffverf", "CASE",
                                      "Nonlinear vibration of one cable under moving supports.",
-                                     options};
+                                     options, case_name_keys};
 
 /* What the run works on. */
 static struct cable_case c;

@@ -16,7 +16,7 @@ static const struct opt options[] = {
 
 static const struct opt_tool tool = {"gapcheck", "DIR",
                                      "The proof of a solution of gapnet, from its tables alone.",
-                                     options};
+                                     options, NULL};
 
 static void print(const struct net_proof *p, struct out *o)
 {

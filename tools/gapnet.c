@@ -23,9 +23,10 @@ static struct {
 static const struct opt options[] = {
     OPT_OUT(&args.common),
     {NULL, 'd', OPT_TEXT, &args.common.dir, "DIR", "write all tables there", 0, 0},
-    {"method", 0, OPT_TEXT, &args.method, "NAME", "gap, displacement or imaginary", 0, 0},
-    {"step", 0, OPT_TEXT, &args.step, "NAME", "of imaginary: constant, unit or span", 0, 0},
-    {"rope", 0, OPT_TEXT, &args.rope, "NAME", "chain, catenary or auto", 0, 0},
+    {"method", 0, OPT_TEXT, &args.method, "gap|displacement|imaginary", "how to solve", 0, 0},
+    {"step", 0, OPT_TEXT, &args.step, "constant|unit|span", "of --method imaginary", 0, 0},
+    {"rope", 0, OPT_TEXT, &args.rope, "auto|chain|catenary",
+     "chain: straight elements, catenary: continuous", 0, 0},
     {"verify", 0, OPT_FLAG, &args.verify, NULL, "solve by a second method and compare", 0, 0},
     {"stiffness", 0, OPT_TEXT, &args.stiffness, "NODES",
      "stiffness of these nodes (a,b,...) or of a body (body), condensed on the rest", 0, 0},
@@ -38,7 +39,7 @@ static const struct opt options[] = {
      0, 0},
     {"pretension", 0, OPT_LIST, &args.pretension, "ROPE=TENSION",
      "find the length or anchor that gives a rope this tension", 0, 0},
-    {"by", 0, OPT_TEXT, &args.by, "WHAT", "--pretension: by length or anchor", 0, 0},
+    {"by", 0, OPT_TEXT, &args.by, "length|anchor", "--pretension: what gives way", 0, 0},
     {"lint", 0, OPT_FLAG, &args.lint, NULL, "only check the system", 0, 0},
     {"write-deck", 0, OPT_TEXT, &args.write_deck, "FILE",
      "write a MoorDyn v2 deck with the found positions", 0, 0},
@@ -47,7 +48,7 @@ static const struct opt options[] = {
 
 static const struct opt_tool tool = {"gapnet", "SYSTEM",
                                      "Equilibrium of systems of ropes and nets by the gap method.",
-                                     options};
+                                     options, system_name_keys};
 
 static int is_body_stiffness(void)
 {

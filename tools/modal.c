@@ -28,8 +28,7 @@ static const struct opt options[] = {
     OPT_OUT(&args.common),
     {NULL, 'd', OPT_TEXT, &args.common.dir, "DIR", "write the model directory", 0, 0},
     {"modes", 0, OPT_INTEGER, &args.modes, "K", "only the K lowest modes", 1, INT_MAX},
-    {"solver", 0, OPT_TEXT, &args.solver, "NAME", "auto, dense (all modes at once) or lanczos", 0,
-     0},
+    {"solver", 0, OPT_TEXT, &args.solver, "auto|dense|lanczos", "dense: all modes at once", 0, 0},
     {"irvine", 0, OPT_FLAG, &args.irvine, NULL, "add the frequencies of Irvine's closed theory", 0,
      0},
     {"participation", 0, OPT_FLAG, &args.participation, NULL,
@@ -44,7 +43,7 @@ static const struct opt options[] = {
 
 static const struct opt_tool tool = {
     "modal", "CASE", "Eigenfrequencies, modes and damping of one cable about its static line.",
-    options};
+    options, case_name_keys};
 
 /* What the run works on. */
 static struct cable_case c;

@@ -20,8 +20,8 @@ static const struct opt options[] = {
     OPT_OUT(&args.common),
     {"limit", 0, OPT_TEXT, &args.limit, "H", "metres of height below which a lift is marginal", 0,
      0},
-    {"require", 0, OPT_TEXT, &args.require, "VERDICT", "status 1 if a row has a worse verdict", 0,
-     0},
+    {"require", 0, OPT_TEXT, &args.require, "stable|marginal|unstable",
+     "status 1 if a row has a worse verdict", 0, 0},
     {"exact", 0, OPT_FLAG, &args.exact, NULL,
      "judge by exact statics, too: large tilts, elastic slings, edges, two hooks", 0, 0},
     {"lever", 0, OPT_FLAG, &args.lever, NULL, "table of righting levers and moments over the tilt",
@@ -47,7 +47,8 @@ static const struct opt options[] = {
 
 static const struct opt_tool tool = {
     "sling", "[FILE | -]",
-    "Is this lift stable?  Metacentric height of each row of a table of arrangements.", options};
+    "Is this lift stable?  Metacentric height of each row of a table of arrangements.", options,
+    lift_name_columns};
 
 /* What the options ask for. */
 struct asked {

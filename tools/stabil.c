@@ -34,7 +34,8 @@ static const struct opt options[] = {
 };
 
 static const struct opt_tool tool = {
-    "stabil", "CASE", "Maps of parametric resonance of one cable whose supports move.", options};
+    "stabil", "CASE", "Maps of parametric resonance of one cable whose supports move.", options,
+    case_name_keys};
 
 /* What the run works on. */
 static struct cable_case c;

@@ -18,7 +18,7 @@ static struct {
 static const struct opt options[] = {
     OPT_OUT(&args.common),
     {NULL, 'd', OPT_TEXT, &args.common.dir, "DIR", "write all tables there", 0, 0},
-    {"method", 0, OPT_TEXT, &args.method, "NAME", "equilibrium, linear or updated", 0, 0},
+    {"method", 0, OPT_TEXT, &args.method, "equilibrium|linear|updated", "how to solve", 0, 0},
     {"modes", 0, OPT_INTEGER, &args.modes, "K", "the K lowest natural frequencies where it rests",
      1, 1000},
     {"stresses", 0, OPT_FLAG, &args.stresses, NULL, "stresses beside the section forces", 0, 0},
@@ -27,7 +27,7 @@ static const struct opt options[] = {
 
 static const struct opt_tool tool = {
     "wirebeam", "CASE", "Curved wires, strands and springs in small and large deformation.",
-    options};
+    options, wire_name_keys};
 
 static struct wire_case c;
 static struct wire all;

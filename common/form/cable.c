@@ -378,3 +378,8 @@ const char *case_model_difference(const struct cable_case *a, const struct cable
             return value[i].name;
     return NULL;
 }
+
+void case_name_keys(FILE *f)
+{
+    keys_name(keys, N_KEYS, f);
+}

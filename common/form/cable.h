@@ -175,4 +175,7 @@ void case_print(const struct cable_case *c, struct out *o);
  * NULL, or the name of the first key whose values differ. */
 const char *case_model_difference(const struct cable_case *a, const struct cable_case *b);
 
+/* Names of the keys that --set can set, blanks between. */
+void case_name_keys(FILE *f);
+
 #endif

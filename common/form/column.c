@@ -64,6 +64,15 @@ void lift_name(int i, char ret[LIFT_NAME])
     }
 }
 
+void lift_name_columns(FILE *f)
+{
+    fputs("type", f);
+    for (int q = 0; q < LIFT_QUANTITIES; q++)
+        fprintf(f, " %s%s", quantities[q].stem, quantities[q].unit);
+    for (size_t i = 0; i < sizeof alone / sizeof *alone; i++)
+        fprintf(f, " %s", alone[i]);
+}
+
 int lift_is_input(int i)
 {
     int q = i / LIFT_ENDS;

@@ -11,6 +11,8 @@
 #include "phys/rigging.h"
 #include "sys/err.h"
 
+#include <stdio.h>
+
 /* Quantities of struct rigging and struct detail, in the order of struct lift_given. */
 enum lift_quantity {
     LIFT_V,
@@ -78,5 +80,8 @@ const char *lift_nearly(const char *name, char ret[LIFT_NAME]);
 /* Word of a type, and the type of a word; SW_FORMAT. */
 const char *lift_type_name(int type);
 enum status lift_type_read(const char *text, int *ret, struct why *why);
+
+/* Names of the columns without those of single ends, blanks between. */
+void lift_name_columns(FILE *f);
 
 #endif

@@ -253,3 +253,9 @@ void keys_print(const struct key *keys, int n_keys, const char *heading, const v
         print_key(&keys[i], base, o);
     }
 }
+
+void keys_name(const struct key *keys, int n_keys, FILE *f)
+{
+    for (int i = 0; i < n_keys; i++)
+        fprintf(f, "%s%s.%s", i ? " " : "", keys[i].section, keys[i].name);
+}

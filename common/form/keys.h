@@ -72,4 +72,7 @@ enum status keys_fail(const struct reading *r, const char *section, const char *
 void keys_print(const struct key *keys, int n_keys, const char *heading, const void *base,
                 struct out *o);
 
+/* Names SECTION.KEY of a table, a blank before each but the first. */
+void keys_name(const struct key *keys, int n_keys, FILE *f);
+
 #endif

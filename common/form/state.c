@@ -168,6 +168,18 @@ static enum status read_state(const char *path, const struct model *m, struct np
     return s;
 }
 
+/* Whether the counters are whole numbers that a long holds; a damaged file may hold anything. */
+static int counters_are_whole(const double *all)
+{
+    static const int at[] = {STATE_STEP, STATE_ROWS, STATE_BYTES,  STATE_FIELDS,
+                             STATE_MARK, STATE_TICK, STATE_STRIDE, STATE_EVEN};
+
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++)
+        if (!(fabs(all[at[i]]) <= 9e15 && all[at[i]] == floor(all[at[i]])))
+            return 0;
+    return all[STATE_STEP] >= 0;
+}
+
 enum status state_resume(const char *path, const struct cable_case *c, const char *extra,
                          struct march *m, struct energy *e, struct progress_mark *mark,
                          struct why *why)
@@ -186,6 +198,8 @@ enum status state_resume(const char *path, const struct cable_case *c, const cha
         s = fail(why, SW_FORMAT,
                  "%s: is the state of another case, or of other options; only time.end may change",
                  path);
+    } else if (!counters_are_whole(a.data)) {
+        s = fail(why, SW_FORMAT, "%s: is damaged: a counter is no whole number", path);
     } else {
         m->step = (long)a.data[STATE_STEP];
         m->slack_time = a.data[STATE_SLACK_TIME];

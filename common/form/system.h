@@ -137,4 +137,7 @@ __attribute__((format(printf, 4, 5))) enum status system_pass(struct system *p, 
                                                               struct why *why, const char *format,
                                                               ...);
 
+/* Names of the keys that --set can set, blanks between. */
+void system_name_keys(FILE *f);
+
 #endif

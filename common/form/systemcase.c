@@ -93,3 +93,8 @@ void system_case_print(const struct system_case *c, struct out *o)
         if (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0)
             keys_print(keys, N_KEYS, keys[i].section, c, o);
 }
+
+void system_name_keys(FILE *f)
+{
+    keys_name(keys, N_KEYS, f);
+}

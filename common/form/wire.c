@@ -411,3 +411,8 @@ const char *wire_element(const struct wire *p, int i)
 {
     return sheet_text(&p->elements, i, ELEMENT);
 }
+
+void wire_name_keys(FILE *f)
+{
+    keys_name(keys, N_KEYS, f);
+}

@@ -62,4 +62,7 @@ void wire_free(struct wire *p);
 const char *wire_node(const struct wire *p, int i);
 const char *wire_element(const struct wire *p, int i);
 
+/* Names of the keys that --set can set, blanks between. */
+void wire_name_keys(FILE *f);
+
 #endif

@@ -11,7 +11,17 @@
 #define MAX_OPTIONS 48
 #define CODE_HELP 1000
 #define CODE_VERSION 1001
+#define CODE_OPTIONS 1002
 #define CODE_FIRST 1100 /* + index, for options without a letter */
+
+/* What every tool has; codes stand in for a place to put them. */
+static const struct opt own[] = {
+    {"help", 'h', OPT_FLAG, NULL, NULL, "print this and stop", 0, 0},
+    {"version", 0, OPT_FLAG, NULL, NULL, "print the version and stop", 0, 0},
+    {"options", 0, OPT_FLAG, NULL, NULL, "print the options as a table for programs and stop", 0,
+     0},
+    {NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0},
+};
 
 static int is_end(const struct opt *o)
 {
@@ -41,9 +51,34 @@ static void print_help(const struct opt_tool *tool)
     printf("usage: %s [options] %s\n%s\n\n", tool->name, tool->usage, tool->purpose);
     for (const struct opt *o = tool->options; !is_end(o); o++)
         print_option(o->letter, o->name, o->arg, o->help);
-    print_option('h', "help", NULL, "print this and stop");
-    print_option(0, "version", NULL, "print the version and stop");
+    for (const struct opt *o = own; !is_end(o); o++)
+        print_option(o->letter, o->name, o->arg, o->help);
     printf("\nThe manual page %s(1) has examples; seilwerk(7) is the tour.\n", tool->name);
+}
+
+/* A row of --options: letter, name, argument, help and what the argument may begin with, tabs
+ * between. */
+static void print_row(const struct opt_tool *tool, const struct opt *o)
+{
+    const char letter[] = {'-', o->letter, '\0'};
+
+    printf("%s\t%s%s\t%s\t%s\t", o->letter ? letter : "", o->name ? "--" : "",
+           o->name ? o->name : "", o->arg ? o->arg : "", o->help);
+    if (o->name && strcmp(o->name, "set") == 0 && tool->print_keys)
+        tool->print_keys(stdout);
+    else if (o->arg && strchr(o->arg, '|'))
+        for (const char *p = o->arg; *p; p++)
+            putchar(*p == '|' ? ' ' : *p);
+    putchar('\n');
+}
+
+static void print_table(const struct opt_tool *tool)
+{
+    printf("operands\t%s\n", tool->usage);
+    for (const struct opt *o = tool->options; !is_end(o); o++)
+        print_row(tool, o);
+    for (const struct opt *o = own; !is_end(o); o++)
+        print_row(tool, o);
 }
 
 /* Results on stdout end in an exit status of their own. */
@@ -89,6 +124,7 @@ static void tables(const struct opt_tool *tool, char *letters, struct option *na
     *letters++ = 'h';
     *names++ = (struct option){"help", no_argument, NULL, CODE_HELP};
     *names++ = (struct option){"version", no_argument, NULL, CODE_VERSION};
+    *names++ = (struct option){"options", no_argument, NULL, CODE_OPTIONS};
     for (const struct opt *o = tool->options; !is_end(o); o++) {
         if (o->letter) {
             *letters++ = o->letter;
@@ -117,7 +153,7 @@ __attribute__((noreturn)) static void refuse(const struct opt_tool *tool, const 
 
 int opt_parse(const struct opt_tool *tool, int argc, char **argv)
 {
-    struct option names[MAX_OPTIONS + 3];
+    struct option names[MAX_OPTIONS + 4];
     char letters[2 * MAX_OPTIONS + 3];
     int code;
 
@@ -132,6 +168,10 @@ int opt_parse(const struct opt_tool *tool, int argc, char **argv)
         }
         if (code == CODE_VERSION) {
             printf("%s (Seilwerk) %s\n", tool->name, SEILWERK_VERSION);
+            end_printing();
+        }
+        if (code == CODE_OPTIONS) {
+            print_table(tool);
             end_printing();
         }
         if (code == ':')

@@ -1,10 +1,13 @@
 /*
- * Options from a table: parsing (getopt_long), --help, --version.
+ * Options from a table: parsing (getopt_long), --help, --version, and --options, the table itself
+ * for other programs.
  */
 #ifndef SEILWERK_SYS_OPT_H
 #define SEILWERK_SYS_OPT_H
 
 #include "sys/err.h"
+
+#include <stdio.h>
 
 enum opt_kind {
     OPT_FLAG,    /* to: int, set to 1 */
@@ -23,7 +26,7 @@ struct opt {
     char letter;      /* or 0 */
     enum opt_kind kind;
     void *to;
-    const char *arg;  /* name of the argument, or NULL */
+    const char *arg;  /* name of the argument, or NULL; FILE, DIR and choices a|b|c tell a shell */
     const char *help; /* one line */
     long min, max;    /* OPT_INTEGER */
 };
@@ -65,15 +68,16 @@ struct opt_common {
 
 struct opt_tool {
     const char *name;
-    const char *usage;         /* operands, e.g. "CASE" */
-    const char *purpose;       /* one sentence */
-    const struct opt *options; /* ends with an entry without name and letter */
+    const char *usage;           /* operands, e.g. "CASE" */
+    const char *purpose;         /* one sentence */
+    const struct opt *options;   /* ends with an entry without name and letter */
+    void (*print_keys)(FILE *f); /* what --set can set, blanks between, or NULL */
 };
 
 /*
- * Parse; options may follow operands.  --help and --version print on stdout and exit 0; wrong usage
- * prints what is wrong and exits 2.  The operands stand at argv[returned index] and after; argv is
- * permuted.
+ * Parse; options may follow operands.  --help, --version and --options print on stdout and exit 0;
+ * wrong usage prints what is wrong and exits 2.  The operands stand at argv[returned index] and
+ * after; argv is permuted.
  */
 int opt_parse(const struct opt_tool *tool, int argc, char **argv);
 

@@ -82,7 +82,8 @@ void signals_end(struct out *o)
     _exit(128 + pending);
 }
 
-/* Open o->path's FILE.part, empty or as it is, and note it as unfinished. */
+/* Open o->path's FILE.part, empty or as it is, and note it as unfinished.  Its name can be guessed:
+ * where others may write, too, a link or a file that they have put there must not be written to. */
 static enum status open_part(struct out *o, int resumed, struct why *why)
 {
     char part[PATH_MAX];
@@ -104,7 +105,10 @@ static enum status open_part(struct out *o, int resumed, struct why *why)
     }
     strcpy(unfinished[o->slot], part);
     in_use[o->slot] = 1;
-    fd = open(part, O_WRONLY | O_CREAT | (resumed ? 0 : O_TRUNC), 0666);
+    /* A file that was here is no file of this run; what cannot be removed is told of. */
+    fd = !resumed && unlink(part) != 0 && errno != ENOENT
+             ? -1
+             : open(part, O_WRONLY | O_CREAT | O_NOFOLLOW | (resumed ? 0 : O_EXCL), 0666);
     o->f = fd >= 0 ? fdopen(fd, "wb") : NULL;
     if (o->f)
         return SW_OK;

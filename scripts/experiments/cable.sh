@@ -11,6 +11,7 @@ if [ $# -ne 1 ]; then
 fi
 case $1 in '' | -*) sed -n '2s/^# //p' "$0" >&2; exit 2 ;; esac
 dir=$1
+# shellcheck disable=SC2034 # the scripts that source this use them
 pictures=${PICTURES:-png}
 # shellcheck disable=SC2034
 plot=$here/../../plot

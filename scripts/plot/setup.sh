@@ -30,10 +30,17 @@ begin()
     trap 'rm -rf "$work"' EXIT
 }
 
+# A text as it may stand between quotes of gnuplot: it ends there, and what is between backquotes is
+# run; a newline ends the command.
+plain()
+{
+    printf '%s' "$1" | tr "'\"\`\\\\\\n" '     '
+}
+
 # What the picture is about: the name of the directory that holds FILE.
 about()
 {
-    basename "$(cd "$(dirname "$1")" && pwd)" | tr "'" ' '
+    plain "$(basename "$(cd -- "$(dirname -- "$1")" && pwd)")"
 }
 
 # place CASE PROBE: "0.5 L0", where the resolved case says that the probe is, or "probe 1".
@@ -72,5 +79,13 @@ END
         cat
     } >"$work/picture.gp"
     LC_ALL=C.UTF-8 gnuplot "$work/picture.gp" || fail "gnuplot could not draw $picture"
+    # PDF holds the time at which it was made: the same picture is to be the same file.  The date that
+    # stands in its place is as long, so the table of offsets at the end stays right.
+    case $picture in
+    *.pdf)
+        LC_ALL=C sed 's/Date (D:[0-9]\{14\}/Date (D:19700101000000/' "$work/picture" >"$work/dated"
+        mv "$work/dated" "$work/picture"
+        ;;
+    esac
     cat "$work/picture" >"$picture" || fail "$picture: cannot be written"
 }

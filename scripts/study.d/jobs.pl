@@ -87,6 +87,8 @@ sub submit
 {
     my ($job, $all) = @_;
     my $earlier = -e "$job/submitted" ? slurp("$job/submitted") =~ s/\s//gr : '';
+    $earlier =~ /\A\d*\z/ # a shell will read it
+        or fail("$job/submitted: '$earlier': expected the number of an array");
     if ($earlier ne '') { # an array that is over is unknown to squeue, or has no lines
         my $lines = `squeue --noheader --jobs=$earlier 2>/dev/null`;
         fail("the array $earlier is still with Slurm; nothing is submitted") if $lines =~ /\S/;

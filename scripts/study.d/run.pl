@@ -162,13 +162,13 @@ sub run_chunk
     my ($job, $k) = @_;
     return if -e "$job/done/$k";
     require File::Path;
+    require File::Temp;
     my $pack = open_pack("$job/pack");
     my @definition = map { unescape($_) } split /\n/, $pack->{definition};
     my @command = map { /\Aword (.*)/s } @definition;
     my ($dir) = map { /\Adirectory (.*)/s } @definition;
     my @names = csv_cells(map { /\Acolumns (.*)/s } @definition);
-    $scratch = ($ENV{TMPDIR} || '/tmp') . "/seilwerk-study-$$-" . time;
-    mkdir $scratch, 0700 or die "$scratch: cannot be made: $!\n";
+    $scratch = File::Temp::mkdtemp(($ENV{TMPDIR} || '/tmp') . "/seilwerk-study-XXXXXXXXXX");
     $dir = "$scratch/files/$dir";
     unpack_files($pack, "$scratch/files");
     File::Path::make_path($dir);

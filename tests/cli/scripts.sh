@@ -1,5 +1,5 @@
 #!/bin/sh
-# scripts/envelope and scripts/spectrum on waves that are known.
+# scripts/envelope and scripts/spectrum on waves that are known; shellcheck on all scripts.
 . "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 
@@ -33,4 +33,29 @@ runs 2 'spectrum of a column that is not there' "$top/scripts/spectrum" wave.csv
 runs 2 'spectrum of no rows' "$top/scripts/spectrum" wave.csv v1_1_m 100 200
 runs 2 'spectrum of a file that is not there' "$top/scripts/spectrum" nothing v1_1_m
 
+# Every script of sh: shellcheck finds nothing, and what is disabled in it stands there by its number.
+# What is sourced is checked with what sources it.
+if command -v shellcheck >/dev/null; then
+    find "$top/scripts" "$top/.ci" -type f | sort | while IFS= read -r file; do
+        case $(head -n 1 "$file") in
+        '#!/bin/sh' | '#!/bin/bash') printf '%s\0' "$file" ;;
+        esac
+    done >files
+    [ "$(tr -cd '\0' <files | wc -c)" -gt 60 ]
+    ok $? 'the scripts are found'
+    (cd "$top" && xargs -0 -n 12 -P 2 shellcheck -x -P SCRIPTDIR -f gcc) <files >said 2>&1
+    ok $? 'shellcheck on every script'
+    sed 's/^/# /' said
+    ! grep -rnE 'shellcheck +disable=(all|[^ ]*-)' "$top/scripts" >&2
+    ok $? 'nothing is disabled wholesale'
+else
+    skip 'no shellcheck'
+fi
+find "$top/scripts" -type f | sort | while IFS= read -r file; do
+    case $(head -n 1 "$file") in
+    '#!/usr/bin/env perl') perl -wc "$file" >/dev/null 2>&1 || echo "$file" ;;
+    esac
+done >bad
+[ ! -s bad ]
+ok $? 'perl accepts every script of its own'
 finish

@@ -47,7 +47,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         {"flag", 'f', OPT_FLAG, &flag, NULL, "a flag", 0, 0},
         OPT_COMMON(&common),
     };
-    static const struct opt_tool tool = {"fuzz", "FILE", "Fuzz.", options};
+    static const struct opt_tool tool = {"fuzz", "FILE", "Fuzz.", options, NULL};
     char line[4096], *argv[WORDS + 2] = {line};
     volatile int argc = 1;
     int first;

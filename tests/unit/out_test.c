@@ -144,6 +144,31 @@ static void links(void **state)
     rmdir("d");
 }
 
+/* What others put at the name of the unfinished file is not written to. */
+static void foreign_part(void **state)
+{
+    struct out o;
+    struct stat st;
+    (void)state;
+
+    put("victim", "kept");
+    assert_int_equal(symlink("victim", "a.part"), 0);
+    open_good(&o, "a");
+    fputs("new", o.f);
+    assert_true(lstat("a.part", &st) == 0 && S_ISREG(st.st_mode));
+    assert_int_equal(out_close(&o, &why), SW_OK);
+    holds("a", "new");
+    holds("victim", "kept");
+    assert_int_equal(link("victim", "a.part"), 0);
+    open_good(&o, "a");
+    fputs("newer", o.f);
+    assert_int_equal(out_close(&o, &why), SW_OK);
+    holds("a", "newer");
+    holds("victim", "kept");
+    unlink("a");
+    unlink("victim");
+}
+
 static void devices(void **state)
 {
     struct out o;
@@ -357,6 +382,7 @@ static void signals(void **state)
 #define IN_DIRECTORY(test) cmocka_unit_test_setup_teardown(test, enter, leave)
 
 TEST_MAIN(IN_DIRECTORY(whole_or_not_at_all), IN_DIRECTORY(two_halves), IN_DIRECTORY(numbers),
-          IN_DIRECTORY(links), IN_DIRECTORY(devices), IN_DIRECTORY(disk_full),
-          IN_DIRECTORY(wrong_places), IN_DIRECTORY(rename_fails), IN_DIRECTORY(no_input_is_written),
-          IN_DIRECTORY(many_files), IN_DIRECTORY(inputs), IN_DIRECTORY(signals))
+          IN_DIRECTORY(links), IN_DIRECTORY(foreign_part), IN_DIRECTORY(devices),
+          IN_DIRECTORY(disk_full), IN_DIRECTORY(wrong_places), IN_DIRECTORY(rename_fails),
+          IN_DIRECTORY(no_input_is_written), IN_DIRECTORY(many_files), IN_DIRECTORY(inputs),
+          IN_DIRECTORY(signals))
