@@ -3,7 +3,8 @@
  *
  * All memory of Seilwerk's own code comes from here, so that a test can make the n-th request fail
  * and see that each caller gives back what it holds and returns SW_NOMEM.  Memory is freed with
- * free().  The counter, and the limit of simd.h, are the only global state of num; they are for tests.
+ * free().  The counter, and the limit of simd.h, are the only global state of num; both are for
+ * tests.
  */
 #ifndef SEILWERK_NUM_MEM_H
 #define SEILWERK_NUM_MEM_H

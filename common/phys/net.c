@@ -308,8 +308,7 @@ static enum status iterate_smoothly(struct net *net, const struct net_options *o
 
         net_smooth(net, ROUGH, w->reference, last ? 0 : w->reference * pow(0.1, k / 2.0));
         status = net_iterate(net, o, last ? o->tolerance : 0, o->steps, INT_MAX, w, s);
-        if (status == SW_NOCONV && !last)
-            status = SW_OK;
+        status = status == SW_NOCONV && !last ? SW_OK : status;
     }
     return status;
 }

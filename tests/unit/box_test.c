@@ -33,7 +33,7 @@ static void draw(int type, double wide, struct rigging *r, struct rigging_box *b
 {
     int spreader = type == RIGGING_SECONDARY, elastic = type == RIGGING_ELASTIC;
     int by_sling = often(), bases = (int)(4 * uniform(&seed));
-    double low = type == RIGGING_PRIMARY && often() ? 0.3 : 1; /* upright ones come under the rule */
+    double low = type == RIGGING_PRIMARY && often() ? 0.3 : 1; /* upright: the rule of 5 degrees */
 
     *r = (struct rigging){.type = (enum rigging_type)type, .loose = 1};
     *b = (struct rigging_box){.type = (enum rigging_type)type, .n = 12, .slings = 4};
@@ -47,10 +47,25 @@ static void draw(int type, double wide, struct rigging *r, struct rigging_box *b
     r->sling = choose(&b->sling, 7, 2, 12, wide, by_sling);
     r->base[0] = choose(&b->base[0], 8, low, 5 * low, wide, (bases & 1) || elastic);
     r->base[1] = choose(&b->base[1], 9, low, 5 * low, wide, (bases & 2) || elastic);
+    if (elastic && often()) { /* phi makes the base */
+        r->phi = choose(&b->phi, 3, 0.1, 0.6, wide, 1);
+        r->base[0] = NAN;
+        b->base[0] = span_none();
+    } else if (elastic && often()) { /* of one end, whose slings lie across */
+        r->base[0] = r->base[1];
+        r->base[1] = 1e3;
+        b->one_hook = 1;
+        b->base[0] = span_none();
+    }
     if (spreader && isnan(r->gamma)) { /* one base makes it */
         r->base[1] = choose(&b->base[1], 9, 2, 8, wide, 1);
         b->base[0] = span_none();
         r->base[0] = NAN;
+    }
+    if (spreader && !by_sling && often()) { /* vertical slings, at an angle that is not known */
+        r->phi = r->base[0] = r->base[1] = NAN;
+        r->gamma = choose(&b->gamma, 4, 0, 0, wide, 1);
+        b->phi = b->base[0] = b->base[1] = span_none();
     }
     r->strain_wll = choose(&b->strain_wll, 10, 0.01, 0.1, wide, elastic);
     r->wll = choose(&b->wll, 11, 3e5, 4e5, wide, elastic && often());

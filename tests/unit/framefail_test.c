@@ -1,5 +1,5 @@
-/* Frames when memory runs out, each request in turn, CHOLMOD's too: paths by load and by arc, linear
- * theory, the document's iteration, vibrations. */
+/* Frames when memory runs out, each request in turn, CHOLMOD's too: paths by load and by arc,
+ * linear theory, the document's iteration, vibrations. */
 #include "fails.h"
 #include "rod.h"
 

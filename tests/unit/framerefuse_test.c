@@ -67,7 +67,7 @@ static void adrift(void **state)
     tilt[1] = tilt[3] = 0;
 }
 
-/* However rounding falls in the pivots: what hangs on a ball joint is not solved by linear theory. */
+/* However rounding falls in the pivots: linear theory does not solve what hangs on a ball joint. */
 static void adrift_anyhow(void **state)
 {
     (void)state;

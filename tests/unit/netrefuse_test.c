@@ -3,6 +3,7 @@
 #include "fails.h"
 #include "nets.h"
 #include "phys/attitude.h"
+#include "phys/network.h"
 #include "phys/sea.h"
 
 /* Two bars longer than the way between their ends, pushed together: it hangs through in the end. */
@@ -234,6 +235,59 @@ static void joints_on_the_bed(void **state)
     net_state_free(&s);
 }
 
+/* Over a bed, as far away as numbers go: a tension that is a number, or none. */
+static void out_of_the_world(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        struct sea around = {.bed = {.kind = BED_PLANE, .level = -10}};
+        struct net_node node[2] = {at(0, 0, -10), at(k == 0 ? 1e155 : k == 1 ? 1e300 : NAN, 0, 0)};
+        struct net_rope part[1] = {rope(0, 1, 30, 1e6, 100, 0)};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &around};
+        struct net_options o = exact;
+        struct net_state s;
+        enum status status;
+
+        o.steps = 20;
+        status = net_solve(&net, &o, &s);
+        if (k < 2 && status == SW_OK)
+            assert_true(s.most > 1e100 && isfinite(s.most));
+        else
+            assert_int_equal(status, SW_NOCONV);
+        net_state_free(&s);
+    }
+}
+
+/* Elements of a split rope whose ends have come together have no drag to speak of: the stiffness
+ * is made of numbers, or there is none. */
+static void no_length(void **state)
+{
+    static const double z[1] = {0}, u[1] = {1}, v[1] = {0};
+    struct sea around = {.current = {1, z, u, v}};
+    struct net_node node[3] = {at(0, 0, -20), at(16, 3, -20), loose(0, 0, -100)};
+    struct net_rope part[2] = {rope(0, 2, 12.5, 1e5, 20, 0), rope(2, 1, 12.8, 1e5, 20, 0)};
+    struct net net = {.n = 3, .m = 2, .node = node, .rope = part, .sea = &around};
+    struct net_options o = exact;
+    const int chosen[1] = {2};
+    struct net_state s;
+    struct net_fine *fine;
+    double K[9], *x;
+    enum status status;
+    (void)state;
+
+    o.split = 3;
+    part[0].across = part[1].across = 20;
+    s = solve(&net, &o);
+    fine = s.fine;
+    assert_non_null(fine);
+    x = fine->state.x;
+    memcpy(x + 3 * fine->split.fine.rope[1].b, x + 3 * fine->split.fine.rope[1].a, 3 * sizeof *x);
+    status = net_stiffness(&net, &s, chosen, 1, K);
+    for (int i = 0; i < 9 && status == SW_OK; i++)
+        assert_true(isfinite(K[i]));
+    net_state_free(&s);
+}
+
 /* Where memory runs out before anything else is known. */
 static void refused(void **state)
 {
@@ -272,4 +326,5 @@ static void laws(void **state)
 TEST_MAIN(cmocka_unit_test(toggle), cmocka_unit_test(few_steps),
           cmocka_unit_test(few_steps_of_bodies), cmocka_unit_test(few_steps_of_tuning),
           cmocka_unit_test(drag_of_nodes), cmocka_unit_test(joints_on_the_bed),
+          cmocka_unit_test(out_of_the_world), cmocka_unit_test(no_length),
           cmocka_unit_test(refused), cmocka_unit_test(laws))

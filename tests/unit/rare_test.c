@@ -1,0 +1,132 @@
+/* Motions of cables that hardly ever are: modes damped beyond their critical damping, ground motion
+ * at an undamped resonance; what boundaries tell of their own change; none of them without memory. */
+#include "fails.h"
+#include "rope.h"
+
+/* One overdamped mode without parametric terms: multipliers exp(r T), r by the square's roots. */
+static void overdamped(void **state)
+{
+    static const double damping[3] = {5, 4, 100}; /* the second one is critical */
+    (void)state;
+
+    for (int k = 0; k < 3; k++) {
+        struct hand h;
+        struct parametric *p = hand_begin(1, &h);
+        double c = damping[k], Omega = 7, T = 2 * PI / Omega, re[2], im[2];
+        double root = sqrt(c * c / 4 - 4), slow = exp((-c / 2 + root) * T);
+        double fast = exp((-c / 2 - root) * T);
+
+        p->omega[0] = 2;
+        p->c[0] = c;
+        assert_int_equal(floquet_multipliers(p, Omega, 0, 8, re, im, NULL), SW_OK);
+        near_rel(fmax(re[0], re[1]), slow, k == 1 ? 1e-6 : 1e-12); /* a double one is hard */
+        near_abs(fmin(re[0], re[1]), fast, k == 1 ? 1e-6 * fast : 1e-13);
+        near_abs(im[0], 0, 1e-6);
+    }
+}
+
+/* The ground motion at an undamped resonance is none; a little damping makes one. */
+static void resonance(void **state)
+{
+    (void)state;
+    for (int mode = 0; mode < 4; mode++)
+        for (int damped = 0; damped < 2; damped++) {
+            const double complex b[6] = {0.1, 0.2, 0.3, 1, 0.5, 0.7};
+            struct rope r;
+            struct ground g;
+            double complex *V;
+            enum status s;
+
+            rope_begin(&seil2, LAW_THESIS, 8, 4, 0, 0, 0, &r);
+            V = mem_zeroed(model_unknowns(&r.m), sizeof *V);
+            assert_non_null(V);
+            assert_int_equal(ground_new(&r.m, damped ? 0.01 : 0, 0, &g), SW_OK);
+            s = ground_response(&g, r.p.omega[mode], b, NULL, V);
+            assert_int_equal(s, damped ? SW_OK : SW_INDEFINITE);
+            assert_int_equal(ground_response(&g, 1.01 * r.p.omega[mode], b, NULL, V), SW_OK);
+            ground_free(&g);
+            free(V);
+            rope_end(&r);
+        }
+}
+
+/* The change of a boundary is against the same one by two harmonics less; of those that are given
+ * with one there is none. */
+static void change(void **state)
+{
+    struct rope r;
+    struct parametric p;
+    struct boundary b[100], coarse[100];
+    int n, m, told = 0;
+    double Omega;
+    (void)state;
+
+    rope_begin(&seil2, LAW_THESIS, 8, 2, ALPHA_2, BETA_2, 0, &r);
+    Omega = 2 * 0.95 * r.map.reference;
+    assert_int_equal(map_equations(&r.map, 0.95, &p), SW_OK);
+    for (int harmonics = 2; harmonics <= 7; harmonics++)
+        for (int period = 1; period <= 2; period++) {
+            assert_int_equal(bolotin_solve(&p, Omega, period, harmonics, 10, b, 100, &n), SW_OK);
+            assert_int_equal(bolotin_change(&p, Omega, period, harmonics, b, n), SW_OK);
+            m = 0;
+            if (harmonics > 2)
+                assert_int_equal(
+                    bolotin_solve(&p, Omega, period, harmonics - 2, INFINITY, coarse, 100, &m),
+                    SW_OK);
+            for (int i = 0; i < n; i++) {
+                double least = NAN;
+
+                for (int k = 0; k < m; k++)
+                    if (coarse[k].mode == b[i].mode && coarse[k].order == b[i].order)
+                        least = fmin(least, fabs(coarse[k].kappa / b[i].kappa - 1));
+                assert_int_equal(isnan(b[i].change), isnan(least));
+                if (!isnan(least)) {
+                    near_abs(b[i].change, least, 1e-12);
+                    told++;
+                }
+            }
+        }
+    assert_true(told > 5);
+    parametric_free(&p);
+    rope_end(&r);
+}
+
+/* One row of a map, with all that it may tell. */
+struct row {
+    struct rope r;
+    struct map_task t;
+};
+
+static enum status draw(void *context)
+{
+    struct row *k = context;
+    struct map_rows rows;
+    double ratio = 0.97;
+    enum status s;
+
+    map_rows(&k->r.map, &k->t, &ratio, 1, 1, &rows);
+    s = rows.status;
+    if (s == SW_OK) {
+        assert_true(rows.n > 0);
+        for (int i = 0; i < rows.n && !k->t.floquet; i++)
+            assert_true(!(rows.row[i].boundary.change < 0));
+    }
+    map_rows_free(&rows);
+    return s;
+}
+
+static void requests(void **state)
+{
+    struct row k;
+    (void)state;
+
+    rope_begin(&seil2, LAW_THESIS, 6, 2, ALPHA_2, BETA_2, 1, &k.r);
+    k.t = (struct map_task){.harmonics = 3, .change = 1, .to = 1};
+    assert_true(fails_each(draw, &k) > 5);
+    k.t = (struct map_task){.floquet = 1, .from = 0.05, .to = 0.1, .step = 0.05};
+    assert_true(fails_each(draw, &k) > 5);
+    rope_end(&k.r);
+}
+
+TEST_MAIN(cmocka_unit_test(overdamped), cmocka_unit_test(resonance), cmocka_unit_test(change),
+          cmocka_unit_test(requests))
