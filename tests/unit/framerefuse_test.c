@@ -91,6 +91,61 @@ static void adrift_anyhow(void **state)
     tilt[5] = tilt[7] = 0;
 }
 
+/* A node that no element reaches is the one that is named. */
+static void loose_node(void **state)
+{
+    (void)state;
+    for (int way = 0; way < 2; way++) {
+        struct follow_options o = rod_options(1);
+        struct rod p;
+        int failed = -2;
+
+        rod_new(&p, N, rod_section(100, 1, 1, 1), line);
+        p.f.beams = N - 1; /* the last one is left out */
+        rod_load(&p, N - 1, 1, (double[6]){0, 0.1, 0, 0, 0, 0});
+        rod_begin(&p);
+        if (way == 0) {
+            assert_int_equal(follow_linear(&p.f, &p.s, &p.w, &failed), SW_INDEFINITE);
+        } else {
+            assert_int_equal(follow(&p.f, &o, &p.s, &p.w, &p.path), SW_INDEFINITE);
+            failed = p.path.failed_node;
+        }
+        assert_int_equal(failed, N);
+        assert_int_equal(frame_node_of(&p.f, &p.w, p.w.unknowns), -1);
+        rod_free(&p);
+    }
+}
+
+/* What the document's iteration does not take is named. */
+static void not_the_documents(void **state)
+{
+    struct frame_spring spring = {.a = N, .b = -1};
+    struct rod p;
+
+    (void)state;
+    rod_new(&p, N, rod_section(100, 1, 1, 1), line);
+    p.f.spring = &spring;
+    assert_null(updated_refused(&p.f));
+    p.f.springs = 1;
+    assert_string_equal(updated_refused(&p.f), "springs");
+    p.f.springs = 0;
+    p.f.stages = 2;
+    assert_string_equal(updated_refused(&p.f), "stages");
+    p.f.stages = 1;
+    for (int end = 0; end < 2; end++) {
+        p.f.beam[1].hinge[end].n = 1;
+        assert_string_equal(updated_refused(&p.f), "hinges");
+        p.f.beam[1].hinge[end].n = 0;
+    }
+    p.f.node[N].given[5] = 1e-9;
+    assert_string_equal(updated_refused(&p.f), "prescribed displacements");
+    p.f.node[N].given[5] = 0;
+    assert_null(updated_refused(&p.f));
+    free(p.f.node);
+    free(p.f.beam);
+    free(p.f.load);
+}
+
 /* The document's iteration: too few of them, a load that bends an element out of shape; the path
  * that is watched ends where the state does. */
 static void documents_iteration(void **state)
@@ -232,6 +287,7 @@ static void no_iterations(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(adrift), cmocka_unit_test(adrift_anyhow),
+          cmocka_unit_test(loose_node), cmocka_unit_test(not_the_documents),
           cmocka_unit_test(documents_iteration),
           cmocka_unit_test(shapeless), cmocka_unit_test(lumped), cmocka_unit_test(one_hinge),
           cmocka_unit_test(long_first_step), cmocka_unit_test(no_iterations))

@@ -507,6 +507,11 @@ static void follows(void **state)
     near_rel(b.v, a.v, 1e-14);
     near_rel(b.t, a.t, 1e-12);
     assert_true(isnan(a.T[0]) && isnan(b.T[1]) && b.T[0] == a.T[1]);
+    r.type = RIGGING_SINGLE; /* one sling is one, the others are four unless told */
+    near_abs(complete(&r).slings, 1, 0);
+    r.slings = 1;
+    near_abs(complete(&r).slings, 1, 0);
+    near_abs(a.slings, 4, 0);
 }
 
 static void refused(void **state)
