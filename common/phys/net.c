@@ -148,6 +148,8 @@ static void refer_to_ends(const struct net *net, double *t)
 /* tolerance 0: near enough for a stage on the way. */
 int net_is_met(const struct net_step *p, const struct net_state *s, double tolerance)
 {
+    if (!isfinite(s->size)) /* before what it divides */
+        return 0;
     if (tolerance == 0)
         return p->gap_of_rope <= STAGE && p->residual <= STAGE * s->scale;
     return p->largest_gap <= tolerance && p->residual <= tolerance * s->scale;

@@ -235,7 +235,7 @@ static void joints_on_the_bed(void **state)
     net_state_free(&s);
 }
 
-/* Over a bed, as far away as numbers go: a tension that is a number, or none. */
+/* Over a bed, farther away than squares of numbers go: there is no answer. */
 static void out_of_the_world(void **state)
 {
     (void)state;
@@ -250,10 +250,7 @@ static void out_of_the_world(void **state)
 
         o.steps = 20;
         status = net_solve(&net, &o, &s);
-        if (k < 2 && status == SW_OK)
-            assert_true(s.most > 1e100 && isfinite(s.most));
-        else
-            assert_int_equal(status, SW_NOCONV);
+        assert_true(status == SW_NOCONV || status == SW_INDEFINITE);
         net_state_free(&s);
     }
 }

@@ -55,7 +55,8 @@ void _exit(int status)
         syscall(SYS_exit_group, status);
 }
 
-static int no_stream, no_cut, no_parser, parsed; /* fdopen, ftruncate, csv_init fail; ini's answer */
+/* Whether fdopen, ftruncate, csv_init fail; what inih says. */
+static int no_stream, no_cut, no_parser, parsed;
 
 FILE *fdopen(int fd, const char *mode)
 {

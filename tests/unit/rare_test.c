@@ -1,5 +1,5 @@
 /* Motions of cables that hardly ever are: modes damped beyond their critical damping, ground motion
- * at an undamped resonance; what boundaries tell of their own change; none of them without memory. */
+ * at an undamped resonance; what boundaries tell of their own change; none without memory. */
 #include "fails.h"
 #include "rope.h"
 
