@@ -78,11 +78,11 @@ static void draw(int type, double wide, struct rigging *r, struct rigging_box *b
 
 static void encloses(void **state)
 {
-    int made[RIGGING_ELASTIC + 1] = {0}, refused = 0;
+    int made[RIGGING_SECONDARY + 1] = {0}, refused = 0;
     (void)state;
 
     for (int k = 0; k < 8000; k++) {
-        int type = k % (RIGGING_ELASTIC + 1);
+        int type = k % (RIGGING_SECONDARY + 1);
         struct rigging r;
         struct rigging_box b;
         struct suspension a;
@@ -112,7 +112,7 @@ static void encloses(void **state)
             assert_true(over_load.lo <= x && x <= over_load.hi);
         made[type]++;
     }
-    for (int type = 0; type <= RIGGING_ELASTIC; type++)
+    for (int type = 0; type <= RIGGING_SECONDARY; type++)
         assert_true(made[type] > 200);
     assert_true(refused > 10);
 }

@@ -73,6 +73,7 @@ static void adrift_anyhow(void **state)
     (void)state;
     for (int k = 0; k < 60; k++) {
         double c = cos(0.1 * k), s = sin(0.1 * k);
+        struct follow_options o = rod_options(1);
         struct rod p;
         int failed = -2;
 
@@ -85,6 +86,10 @@ static void adrift_anyhow(void **state)
         rod_begin(&p);
         assert_int_equal(follow_linear(&p.f, &p.s, &p.w, &failed), SW_INDEFINITE);
         assert_in_range(failed, 0, 3 * N);
+        frame_work_free(&p.w);
+        frame_state_free(&p.s);
+        assert_int_equal(rod_follow(&p, &o), SW_INDEFINITE); /* nor does a path begin */
+        assert_in_range(p.path.failed_node, 0, 3 * N);
         rod_free(&p);
     }
     tilt[4] = tilt[8] = 1;

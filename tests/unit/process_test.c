@@ -16,6 +16,7 @@
 #include <ini.h>
 #include <signal.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -55,8 +56,8 @@ void _exit(int status)
         syscall(SYS_exit_group, status);
 }
 
-/* Whether fdopen, ftruncate, csv_init fail; what inih says. */
-static int no_stream, no_cut, no_parser, parsed;
+/* Whether fdopen, ftruncate, csv_init, fclose, fsync fail; what inih says. */
+static int no_stream, no_cut, no_parser, no_close, no_sync, parsed;
 
 FILE *fdopen(int fd, const char *mode)
 {
@@ -71,6 +72,22 @@ int ftruncate(int fd, off_t length)
 {
     errno = EIO;
     return no_cut ? -1 : (int)syscall(SYS_ftruncate, fd, length);
+}
+
+int fclose(FILE *stream)
+{
+    int (*f)(FILE *), status;
+
+    *(void **)&f = dlsym(RTLD_NEXT, "fclose");
+    status = f(stream);
+    errno = EDQUOT;
+    return no_close ? EOF : status;
+}
+
+int fsync(int fd)
+{
+    errno = EIO;
+    return no_sync ? -1 : (int)syscall(SYS_fsync, fd);
 }
 
 int csv_init(struct csv_parser *p, unsigned char options)
@@ -222,14 +239,23 @@ static void signals(void **state)
     assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT);
 }
 
+static struct rlimit files_before;
+
+static void allow_files(void)
+{
+    setrlimit(RLIMIT_NOFILE, &files_before);
+}
+
 static void close_and_limit(void)
 {
-    int fd = open("/dev/null", O_RDONLY);
+    struct rlimit none;
 
+    getrlimit(RLIMIT_NOFILE, &files_before);
+    none = files_before;
+    none.rlim_cur = 0;
     close(0);
-    dup2(fd, 5);
-    if (chroot(".") != 0) /* no /dev/null in there */
-        exit(1);
+    if (atexit(allow_files) != 0 || setrlimit(RLIMIT_NOFILE, &none) != 0)
+        _exit(9);
     out_prepare();
     exit(0);
 }
@@ -277,6 +303,21 @@ static void refusals(void **state)
     assert_int_equal(stat("a.part", &st), 0);
     assert_int_equal(st.st_size, 4);
     unlink("a.part");
+    no_close = 1;
+    assert_int_equal(out_resume(&o, "a", 4, &why), SW_WRITE); /* a copy that may not be whole */
+    assert_int_equal(stat("a.part", &st), -1);
+    no_close = 0;
+    for (int k = 0; k < 2; k++) { /* nor is what was not closed, or did not reach the disk */
+        assert_int_equal(out_open(&o, "b", &why), SW_OK);
+        fputs("text", o.f);
+        *(k ? &no_sync : &no_close) = 1;
+        assert_int_equal(out_close(&o, &why), SW_WRITE);
+        assert_string_equal(why.text, k ? "b: cannot be written: Input/output error"
+                                        : "b: cannot be written: Disk quota exceeded");
+        *(k ? &no_sync : &no_close) = 0;
+        assert_int_equal(stat("b", &st), -1);
+        assert_int_equal(stat("b.part", &st), -1);
+    }
 
     assert_int_equal(in_open("a", &in, &why), SW_OK);
     no_parser = 1;

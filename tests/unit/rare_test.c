@@ -3,6 +3,10 @@
 #include "fails.h"
 #include "rope.h"
 
+#include "phys/march.h"
+#include "phys/orbit.h"
+#include "phys/steady.h"
+
 /* One overdamped mode without parametric terms: multipliers exp(r T), r by the square's roots. */
 static void overdamped(void **state)
 {
@@ -128,5 +132,122 @@ static void requests(void **state)
     rope_end(&k.r);
 }
 
+/* A damper without a coefficient is none; a small one is one.  What a march tells of its time. */
+static void dampers(void **state)
+{
+    const struct damper both[2] = {{0.3, {0, 1, 0}, 0}, {0.5, {0, 1, 0}, 0.5}};
+    double V[2][6 * 7];
+    struct model m;
+    (void)state;
+
+    assert_int_equal(model_new(&seil2, LAW_THESIS, 6, &m), SW_OK);
+    for (int k = 0; k < 2; k++) {
+        struct march_options o = {.substeps = 4};
+        struct march a;
+        double start[6 * 7] = {0};
+
+        o.dt = 0.5 * march_critical_step(&m);
+        o.damper = k ? both : both + 1;
+        o.n_dampers = k ? 2 : 1;
+        start[6 * 3 + 2] = 0.01;
+        assert_int_equal(march_new(&m, &o, &a), SW_OK);
+        assert_int_equal(a.dampers.r, 1);
+        near_abs(a.dampers.c[0], 0.5, 0);
+        assert_int_equal(march_start(&a, start, NULL), SW_OK);
+        assert_true(march_past(&a) < 0);
+        for (int i = 0; i < 8; i++) {
+            assert_int_equal(march_at_mark(&a), i % 4 == 0);
+            assert_int_equal(march_mark(&a), i / 4);
+            assert_int_equal(march_solve(&a), SW_OK);
+            march_advance(&a);
+            near_rel(march_past(&a), march_time(&a) - o.dt, 1e-12);
+        }
+        memcpy(V[k], a.V, sizeof V[k]);
+        march_free(&a);
+    }
+    for (int i = 0; i < 6 * 7; i++)
+        near_abs(V[1][i], V[0][i], 0);
+    model_free(&m);
+}
+
+/* A harmonic force whose frequency is swept is the force at the sweep's phase. */
+static void swept_force(void **state)
+{
+    struct sweep up = {.from = 3, .to = 9, .rate = 0.5};
+    struct model m;
+    (void)state;
+
+    assert_int_equal(sweep_new(&up), SW_OK);
+    assert_int_equal(model_new(&seil2, LAW_THESIS, 6, &m), SW_OK);
+    for (double t = 0; t < 10; t += 0.7) {
+        struct force f = {.position = 0.4, .value = {1, 2, 3}, .omega = 4, .phase = 0.3};
+        struct forcing all = {.force = &f, .n = 1};
+        double phase, omega, rate, F[2][6 * 7] = {{0}}, V[6 * 7] = {0};
+
+        sweep_at(&up, t, &phase, &omega, &rate);
+        f.sweep = &up;
+        forcing_subtract(&m, &all, t, V, NULL, F[0]);
+        f.sweep = NULL;
+        f.omega = NAN;
+        for (int c = 0; c < 3; c++)
+            f.value[c] *= cos(phase + 0.3);
+        forcing_subtract(&m, &all, t, V, NULL, F[1]);
+        for (int i = 0; i < 6 * 7; i++)
+            near_abs(F[0][i], F[1][i], 1e-14);
+    }
+    model_free(&m);
+    sweep_free(&up);
+}
+
+/* What does not move at all rests; what moves along the cable alone is in its plane. */
+static void planes(void **state)
+{
+    (void)state;
+    for (int moves = 0; moves < 2; moves++) {
+        struct orbit_window w = {0};
+        struct orbit o;
+
+        for (int i = 0; i < 50; i++) {
+            const double v[3] = {moves ? cos(2 * PI * i / 50) : 0.1, 0, 0};
+
+            orbit_add(&w, 2 * PI * i / 50, v, 1);
+        }
+        memset(w.c, 0, sizeof w.c); /* less what rounding leaves of sums */
+        memset(w.s, 0, sizeof w.s);
+        orbit_of(&w, &o);
+        assert_int_equal(o.plane, moves ? ORBIT_IN : ORBIT_REST);
+        near_abs(o.major, 0, 0);
+    }
+}
+
+static enum status begin_steady(void *context)
+{
+    static const double half = 0.5;
+    const struct steady_options o = {
+        .tolerance = 1e-4, .periods = 20, .n_probes = 1, .probe = &half};
+    struct steady s;
+    enum status status = steady_new(context, &o, &s);
+
+    if (status != SW_OK)
+        assert_true(!s.least && !s.greatest && !s.strobe && !s.window && !s.orbit);
+    steady_free(&s);
+    return status;
+}
+
+static void steady_states(void **state)
+{
+    struct model m;
+    (void)state;
+
+    assert_int_equal(model_new(&seil2, LAW_THESIS, 4, &m), SW_OK);
+    assert_true(fails_each(begin_steady, &m) >= 5);
+    model_free(&m);
+    assert_string_equal(steady_kind_name(STEADY_NONE), "none");
+    assert_string_equal(steady_kind_name(STEADY_PERIODIC), "periodic");
+    assert_string_equal(steady_kind_name(STEADY_QUASI), "quasi-periodic");
+    assert_string_equal(steady_kind_name(STEADY_DECAYED), "decayed");
+}
+
 TEST_MAIN(cmocka_unit_test(overdamped), cmocka_unit_test(resonance), cmocka_unit_test(change),
-          cmocka_unit_test(requests))
+          cmocka_unit_test(requests), cmocka_unit_test(dampers), cmocka_unit_test(swept_force),
+          cmocka_unit_test(planes), cmocka_unit_test(steady_states))
