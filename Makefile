@@ -197,8 +197,10 @@ check-sanitized:
 	  $(sort $(wildcard tests/cli/*.sh))
 
 # What the tests have run, in a build of its own: without functions folded into others, where each
-# branch would be counted once more.  Old counts go first; a test that fails is told, and no matter.
-COVERAGE = -O1 -g --coverage -fprofile-update=atomic -fno-inline
+# branch would be counted once more, and with the calls by which a dying process saves its counts.
+# Old counts go first; a test that fails is told, and no matter.
+COVERAGE = -O1 -g --coverage -fprofile-update=atomic -fno-inline \
+  -Wl,-u,__gcov_dump,-u,__gcov_reset
 coverage:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage CFLAGS='$(COVERAGE)' HARDEN_CPP= test-programs
 	@find $(BUILD)/coverage/obj -name '*.gcda' -delete

@@ -27,11 +27,14 @@ void xerbla_(const char *name, const int32_t *info, int length);
 
 /* Counts of a coverage build, which a signal would lose. */
 extern void __gcov_dump(void) __attribute__((weak));
+extern void __gcov_reset(void) __attribute__((weak));
 
 static void keep_counts(void)
 {
-    if (__gcov_dump)
-        __gcov_dump();
+    if (!__gcov_dump || !__gcov_reset)
+        return;
+    __gcov_dump();
+    __gcov_reset(); /* or what comes after would not count */
 }
 
 int raise(int sig)
@@ -443,6 +446,26 @@ static void take_list(void)
     opt_parse(&tool, 3, words);
 }
 
+static void ask_for_help(void)
+{
+    static const struct opt options[] = {{NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0}};
+    static const struct opt_tool tool = {"tool", "", "", options};
+    static char *words[] = {"tool", "--help", NULL};
+
+    dup2(open("/dev/full", O_WRONLY), 1);
+    opt_parse(&tool, 2, words);
+}
+
+/* Help that nobody can read is a failure. */
+static void no_room_for_help(void **state)
+{
+    int status = child(ask_for_help);
+    (void)state;
+
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 1);
+    assert_string_equal(said, "tool: <stdout>: cannot be written\n");
+}
+
 static void no_room_for_options(void **state)
 {
     int status = child(take_list);
@@ -455,4 +478,4 @@ static void no_room_for_options(void **state)
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, leave)
 
 TEST_MAIN(TEST(bugs), TEST(signals), TEST(closed), TEST(refusals), TEST(files), TEST(progresses),
-          TEST(no_room_for_options))
+          TEST(no_room_for_help), TEST(no_room_for_options))
