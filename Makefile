@@ -52,6 +52,8 @@ help:
 	@printf '             %s %s %s %s\n' $(EXPERIMENTS)
 	@echo 'report       experiments, then one HTML page and one PDF of them all'
 	@echo 'check        all tests;  check-deep: sanitizers, valgrind, long fuzzing, 1e8 numbers'
+	@echo 'coverage     lines and branches of common/num, phys, sys that the tests run, and the bounds'
+	@echo 'mutate       change common/phys in 60 places, one at a time: does a test fail?'
 	@echo 'check-hosts  studies over several hosts: sshd on loopback, killed in mid-study'
 	@echo 'fuzz         libFuzzer on every reader, SECONDS=60 each; fuzz-afl: AFL++'
 	@echo 'analyze      gcc -fanalyzer, cppcheck, clang-tidy'
@@ -230,6 +232,25 @@ check-sanitized:
 	@$(TEST_ENV) SEILWERK_SANITIZED=1 ASAN_OPTIONS=detect_leaks=0 prove -j2 $(UNIT) \
 	  $(sort $(wildcard tests/cli/*.sh))
 
+# What the tests have run, in a build of its own: without functions folded into others, where each
+# branch would be counted once more, and with the calls by which a dying process saves its counts.
+# Old counts go first; a test that fails is told, and no matter.
+COVERAGE = -O1 -g --coverage -fprofile-update=atomic -fno-inline \
+  -Wl,-u,__gcov_dump,-u,__gcov_reset
+coverage:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage CFLAGS='$(COVERAGE)' HARDEN_CPP= test-programs
+	@find $(BUILD)/coverage/obj -name '*.gcda' -delete
+	-@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage CFLAGS='$(COVERAGE)' HARDEN_CPP= \
+	  check-coverage
+	@scripts/coverage $(BUILD)/coverage
+
+check-coverage:
+	@$(TEST_ENV) prove -j2 $(UNIT) $(sort $(wildcard tests/cli/*.sh tests/fault/*.sh))
+
+# A sample of small changes of common/phys: does a test notice?  Not part of check.
+mutate:
+	@scripts/mutate --build $(BUILD) --count 60
+
 # Not part of check: it starts servers.
 check-hosts: all
 	@$(TEST_ENV) prove $(sort $(wildcard tests/hosts/*.sh))
@@ -297,6 +318,7 @@ deb: deps-package
 
 .PHONY: always all help deps deps-build deps-check deps-demo deps-report deps-optional deps-hosts \
   deps-package demo experiments report test-programs check check-unit check-deep check-sanitized \
-  check-hosts fuzz fuzz-afl analyze bench install uninstall clean dist deb
+  check-hosts fuzz fuzz-afl analyze coverage check-coverage mutate bench install uninstall clean dist \
+  deb
 .SECONDARY:
 .DELETE_ON_ERROR:

@@ -43,7 +43,10 @@ void *mem_resize(void *p, size_t n, size_t size)
     return realloc(p, n > 0 ? n : 1);
 }
 
-void mem_fail_at(unsigned long n)
+unsigned long mem_fail_at(unsigned long n)
 {
+    unsigned long left = countdown;
+
     countdown = n;
+    return left;
 }

@@ -3,7 +3,8 @@
  *
  * All memory of Seilwerk's own code comes from here, so that a test can make the n-th request fail
  * and see that each caller gives back what it holds and returns SW_NOMEM.  Memory is freed with
- * free().  The one counter is the only global state of num; it is for tests.
+ * free().  The counter, and the limit of simd.h, are the only global state of num; both are for
+ * tests.
  */
 #ifndef SEILWERK_NUM_MEM_H
 #define SEILWERK_NUM_MEM_H
@@ -23,7 +24,8 @@ void *mem_copy(const void *p, size_t n);
 /* p, grown or shrunk to n elements of size bytes, new ones not set; NULL leaves p as it was. */
 void *mem_resize(void *p, size_t n, size_t size);
 
-/* For tests: the n-th request from now on fails (n = 1: the next), and it alone; 0: none fails. */
-void mem_fail_at(unsigned long n);
+/* For tests: the n-th request from now on fails (n = 1: the next), and it alone; 0: none fails.
+ * Returns how many were still to come before the one that was to fail: 0, it has. */
+unsigned long mem_fail_at(unsigned long n);
 
 #endif

@@ -11,6 +11,7 @@
 
 #define ROUNDS 200
 #define TOLERANCE 1e-12 /* relative change of the shifted eigenvalues */
+#define GAP 1e-6 /* of an eigenvalue: what is narrower may be rounding between equal ones */
 #define NOTHING 1e-12   /* of a vector is left: it lies in the others, or moves no mass */
 
 struct run {
@@ -186,7 +187,7 @@ static int settled(const struct run *r)
  * and long structures a count next to an eigenvalue would see the rounding of the stiffest one. */
 static enum status check(struct run *r)
 {
-    double widest = 0, middle = 0;
+    double widest = GAP, middle = 0;
     int below, found = 0;
     enum status s;
 

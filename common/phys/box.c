@@ -42,6 +42,7 @@ static struct span half_square(const struct span *x)
 /* v, or v from the sling; 0: the sling may be too short. */
 static int find_v(const struct rigging_box *b, struct span *ret)
 {
+    const struct span *first, *second;
     struct span reach;
 
     *ret = b->v;
@@ -51,16 +52,18 @@ static int find_v(const struct rigging_box *b, struct span *ret)
         *ret = span_mul(b->sling, span_cos(b->phi));
         return 1;
     }
-    if (!is_given(&b->base[0]) && !is_given(&b->base[1])) {
+    first = b->type == RIGGING_ELASTIC ? &b->base[b->one_hook] : &b->base[0];
+    second = b->type == RIGGING_ELASTIC ? first : &b->base[1]; /* the view along one base alone */
+    if (!is_given(first) && !is_given(second)) {
         *ret = span_mul(b->sling, span_cos(b->phi));
         return 1;
     }
-    if (is_given(&b->base[0]) && (b->type == RIGGING_ELASTIC || !is_given(&b->base[1])))
-        reach = half_square(&b->base[0]);
-    else if (!is_given(&b->base[0]))
-        reach = half_square(&b->base[1]);
+    if (first == second || !is_given(second))
+        reach = half_square(first);
+    else if (!is_given(first))
+        reach = half_square(second);
     else
-        reach = span_add(half_square(&b->base[0]), half_square(&b->base[1]));
+        reach = span_add(half_square(first), half_square(second));
     reach = span_sub(span_square(b->sling), reach);
     if (!(reach.lo > 0))
         return 0;

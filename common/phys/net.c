@@ -148,6 +148,8 @@ static void refer_to_ends(const struct net *net, double *t)
 /* tolerance 0: near enough for a stage on the way. */
 int net_is_met(const struct net_step *p, const struct net_state *s, double tolerance)
 {
+    if (!isfinite(s->size)) /* before what it divides */
+        return 0;
     if (tolerance == 0)
         return p->gap_of_rope <= STAGE && p->residual <= STAGE * s->scale;
     return p->largest_gap <= tolerance && p->residual <= tolerance * s->scale;
@@ -308,8 +310,7 @@ static enum status iterate_smoothly(struct net *net, const struct net_options *o
 
         net_smooth(net, ROUGH, w->reference, last ? 0 : w->reference * pow(0.1, k / 2.0));
         status = net_iterate(net, o, last ? o->tolerance : 0, o->steps, INT_MAX, w, s);
-        if (status == SW_NOCONV && !last)
-            status = SW_OK;
+        status = status == SW_NOCONV && !last ? SW_OK : status;
     }
     return status;
 }

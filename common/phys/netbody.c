@@ -419,15 +419,13 @@ enum status net_settle(struct net *net, const struct net_options *o, struct net_
     s = new_drift(net, o, &d);
     if (s == SW_OK)
         off = missing(&d, ret, d.W, &most);
-    for (int k = 0; k < STEPS && s == SW_OK; k++) {
+    for (int k = 0; s == SW_OK; k++) {
         ret->adrift = most / force_scale(&d, ret);
         if (ret->adrift <= o->tolerance)
             break;
-        s = step_on(&d, ret, &off, &damping);
+        s = k < STEPS ? step_on(&d, ret, &off, &damping) : SW_NOCONV;
         missing(&d, ret, d.W, &most);
     }
-    if (s == SW_OK && !(ret->adrift <= o->tolerance))
-        s = SW_NOCONV;
     end_drift(&d);
     return s;
 }

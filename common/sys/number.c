@@ -51,8 +51,8 @@ static struct g leading(const uint64_t w[WORDS])
     }
     for (int i = 0; i < top - 2; i++)
         rest |= w[i];
-    if (rest != 0 && ++g.lo == 0)
-        g.hi++;
+    g.lo += rest != 0;
+    g.hi += rest != 0 && g.lo == 0;
     return g;
 }
 

@@ -609,9 +609,41 @@ static void hinges_by_differences(void **state)
     }
 }
 
+/* An element that knows no load takes none: its foreseen forces are those without. */
+static void never_loaded(void **state)
+{
+    struct section s = values();
+    uint64_t u = 12;
+
+    (void)state;
+    for (int k = 0; k < 20; k++) {
+        struct beam b;
+        struct corotate e;
+        double x[2][3], q[2][4], v[3], load[3], du[12], with[6], without[6], d[3];
+
+        random_beam(&u, &s, &b, x);
+        e = corotate_beam(&b);
+        for (int end = 0; end < 2; end++) {
+            random_vector(&u, 1, v);
+            quat_exp(v, q[end]);
+        }
+        for (int i = 0; i < 3; i++)
+            d[i] = x[0][i] - x[1][i];
+        for (int i = 0; i < 12; i++)
+            du[i] = uniform_in(&u, -0.01, 0.01);
+        random_vector(&u, 1, load);
+        e.spread = NULL;
+        corotate_foresee(&e, d, q[0], q[1], load, du, with);
+        corotate_foresee(&e, d, q[0], q[1], NULL, du, without);
+        for (int i = 0; i < 6; i++)
+            near_abs(with[i], without[i], 0);
+    }
+}
+
 TEST_MAIN(cmocka_unit_test(keeps_end_frames), cmocka_unit_test(straight_is_bernoulli),
           cmocka_unit_test(free_element), cmocka_unit_test(objective),
           cmocka_unit_test(natural_state), cmocka_unit_test(straight_load_and_mass),
           cmocka_unit_test(rigid_mass), cmocka_unit_test(section_forces_in_balance),
           cmocka_unit_test(twisted_pieces), cmocka_unit_test(strain_energy_gradient),
-          cmocka_unit_test(hinges_by_differences))
+          cmocka_unit_test(hinges_by_differences),
+          cmocka_unit_test(never_loaded))

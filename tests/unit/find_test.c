@@ -352,6 +352,43 @@ static void least_tension(void **state)
     }
 }
 
+/* The lowest frequency in the plane falls, rises to where the antisymmetric mode becomes the lower
+ * one, and falls: of the slacker cables that have a little less than this peak the first one is
+ * found, however narrow the peak is there. */
+static void narrow_peak(void **state)
+{
+    const int steps = 4000;
+    int peaks = 0;
+    (void)state;
+
+    for (int i = 0; i < 6; i++) {
+        struct known k = {.given = GIVEN_FREQUENCY, .slack = 1, .part = PART_PLANE, .mode = 1,
+                          .law = LAW_THESIS, .elements = 2};
+        struct cable c = pont;
+        double chord = hypot(c.span, c.drop), before = 0, peak = 0, at = NAN, L0;
+
+        for (int j = 0; j < steps; j++) {
+            double x = chord * (1 - 2e-3 + 2e-2 * j / steps), f = quantity(&c, &none, &k, x);
+
+            if (peak == 0 && before > 0 && f > before)
+                peak = -1; /* it rises */
+            if (peak < 0 && f < before) {
+                peak = before;
+                at = x;
+            }
+            before = f;
+        }
+        if (!(peak > 0))
+            continue;
+        k.value = peak * (1 - pow(10, -2 - i / 2.0));
+        L0 = find(&c, &none, &k);
+        near_rel(quantity(&c, &none, &k, L0), k.value, 1e-8);
+        assert_true(L0 < at);
+        peaks++;
+    }
+    assert_int_equal(peaks, 6);
+}
+
 /* Nothing has it: more than a thousandfold stretch gives, a sag less than any. */
 static void infeasible(void **state)
 {
@@ -399,4 +436,5 @@ TEST_MAIN(cmocka_unit_test(forces_and_sags), cmocka_unit_test(lateral_frequencie
           cmocka_unit_test(frequencies_in_the_plane), cmocka_unit_test(slacker_in_the_plane),
           cmocka_unit_test(taut_string), cmocka_unit_test(closed_sags),
           cmocka_unit_test(weightless), cmocka_unit_test(warm), cmocka_unit_test(least_tension),
+          cmocka_unit_test(narrow_peak),
           cmocka_unit_test(infeasible), cmocka_unit_test(memory))

@@ -335,7 +335,25 @@ static void held(void **state)
     near_rel(h.energy, 9810 * 3 * (1 - cos(0.25)), 1e-11);
 }
 
+/* From beyond the world, and from nowhere, there is no way back. */
+static void far_away(void **state)
+{
+    static const double far[3] = {1e9, 1e300, NAN};
+    (void)state;
+
+    for (int k = 0; k < 3; k++) {
+        struct gear s = suspended_linkage(&inclined);
+        struct hang near = hung(&s, HANG_NEAR), h;
+        struct pose start[GEAR_BODIES];
+
+        memcpy(start, near.pose, sizeof start);
+        start[0].r[2] = far[k];
+        assert_int_equal(hang(&s, HANG_NEAR, start, -1, &h), SW_NOCONV);
+    }
+}
+
 TEST_MAIN(cmocka_unit_test(primary_only), cmocka_unit_test(any_start),
           cmocka_unit_test(near_and_down), cmocka_unit_test(turns_and_units),
           cmocka_unit_test(crossed_over), cmocka_unit_test(upright_by_contact),
-          cmocka_unit_test(leans_on_an_edge), cmocka_unit_test(held), cmocka_unit_test(no_numbers))
+          cmocka_unit_test(leans_on_an_edge), cmocka_unit_test(held), cmocka_unit_test(no_numbers),
+          cmocka_unit_test(far_away))

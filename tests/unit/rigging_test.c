@@ -507,6 +507,11 @@ static void follows(void **state)
     near_rel(b.v, a.v, 1e-14);
     near_rel(b.t, a.t, 1e-12);
     assert_true(isnan(a.T[0]) && isnan(b.T[1]) && b.T[0] == a.T[1]);
+    r.type = RIGGING_SINGLE; /* one sling is one, the others are four unless told */
+    near_abs(complete(&r).slings, 1, 0);
+    r.slings = 1;
+    near_abs(complete(&r).slings, 1, 0);
+    near_abs(a.slings, 4, 0);
 }
 
 static void refused(void **state)
@@ -569,6 +574,44 @@ static void refused(void **state)
     }
 }
 
+/* What is given twice, and does not agree; which of two bases the spreader belongs to. */
+static void refused_twice(void **state)
+{
+    struct rigging flat = primary(6, 2, 6, 4), two = spreader(3, 5, 1, 40, -5, 2, 60);
+    struct suspension a;
+    struct rigging_fault f;
+    (void)state;
+
+    flat.sling = 6.8; /* longer than the reach of 3.6 m, shorter than the 7.0 m up to the hook */
+    assert_int_equal(rigging_complete(&flat, &a, &f), SW_ADMISSIBLE);
+    assert_string_equal(f.quantity, "sling");
+    assert_string_equal(f.text, "is too short to reach the lifting points");
+    flat.sling = 7;
+    assert_int_equal(rigging_complete(&flat, &a, &f), SW_OK);
+    two.gamma = NAN;
+    two.base[RIGGING_LONG] = 4;
+    two.base[RIGGING_CROSS] = 5;
+    assert_int_equal(rigging_complete(&two, &a, &f), SW_ADMISSIBLE);
+    assert_string_equal(f.quantity, "gamma");
+    two.base[RIGGING_LONG] = NAN;
+    assert_int_equal(rigging_complete(&two, &a, &f), SW_OK);
+}
+
+/* The base of elastic slings follows from their angle, too. */
+static void complete_base(const struct rigging *given)
+{
+    struct rigging r = *given;
+    struct suspension a;
+    struct rigging_fault f;
+    double base = r.base[RIGGING_LONG];
+
+    r.phi = atan(base / (2 * r.v));
+    r.base[RIGGING_LONG] = NAN;
+    assert_int_equal(rigging_complete(&r, &a, &f), SW_OK);
+    near_rel(a.base[RIGGING_LONG], base, 1e-14);
+    near_rel(a.T[RIGGING_LONG], base / (2 * r.v), 1e-14);
+}
+
 static void refused_elastic(void **state)
 {
     struct rigging r = tandem(0.02);
@@ -576,6 +619,12 @@ static void refused_elastic(void **state)
     struct rigging_fault f;
     (void)state;
 
+    r.base[RIGGING_LONG] = NAN;
+    r.phi = NAN;
+    assert_int_equal(rigging_complete(&r, &a, &f), SW_ADMISSIBLE);
+    assert_string_equal(f.quantity, "base_long");
+    r = tandem(0.02);
+    complete_base(&r);
     r.strain_wll = 1;
     assert_int_equal(rigging_complete(&r, &a, &f), SW_ADMISSIBLE);
     r.strain_wll = 0.3;
@@ -597,4 +646,4 @@ TEST_MAIN(cmocka_unit_test(published), cmocka_unit_test(elastic), cmocka_unit_te
           cmocka_unit_test(critical), cmocka_unit_test(against_linkage), cmocka_unit_test(forces),
           cmocka_unit_test(secondary_forces), cmocka_unit_test(elastic_forces),
           cmocka_unit_test(righting_moment), cmocka_unit_test(follows), cmocka_unit_test(refused),
-          cmocka_unit_test(refused_elastic))
+          cmocka_unit_test(refused_elastic), cmocka_unit_test(refused_twice))
