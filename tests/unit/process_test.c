@@ -439,7 +439,7 @@ static void take_list(void)
     static const struct opt options[] = {
         {"set", 0, OPT_LIST, &list, "TEXT", "take it", 0, 0},
         {NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0}};
-    static const struct opt_tool tool = {"tool", "", "", options};
+    static const struct opt_tool tool = {"tool", "", "", options, NULL};
     static char *words[] = {"tool", "--set", "a", NULL};
 
     mem_fail_at(1);
@@ -449,7 +449,7 @@ static void take_list(void)
 static void ask_for_help(void)
 {
     static const struct opt options[] = {{NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0}};
-    static const struct opt_tool tool = {"tool", "", "", options};
+    static const struct opt_tool tool = {"tool", "", "", options, NULL};
     static char *words[] = {"tool", "--help", NULL};
 
     dup2(open("/dev/full", O_WRONLY), 1);
