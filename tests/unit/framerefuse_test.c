@@ -5,6 +5,8 @@
 #include "phys/updated.h"
 #include "phys/vibrate.h"
 
+#include <float.h>
+
 #define N 4
 
 static double tilt[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}; /* of the axis */
@@ -291,7 +293,28 @@ static void no_iterations(void **state)
     rod_free(&p);
 }
 
-TEST_MAIN(cmocka_unit_test(adrift), cmocka_unit_test(adrift_anyhow),
+/* Scales of what is compared: of the structure wherever it stands, and of its stiffest spring. */
+static void scales(void **state)
+{
+    struct frame_spring spring = {.a = N, .b = -1, .k = {3e9, 1e20, 2e9, 1, 1, 1}};
+    struct rod p;
+
+    (void)state;
+    rod_new(&p, N, rod_section(100, 1, 1, 1), line);
+    for (int i = 0; i <= N; i++)
+        for (int c = 0; c < 3; c++)
+            p.f.node[i].x[c] += 5 - 7 * c;
+    p.f.spring = &spring;
+    p.f.springs = 1;
+    rod_begin(&p);
+    near_rel(p.w.size, 1, 1e-14);
+    near_rel(p.w.chord, 1.0 / N, 1e-14);
+    near_rel(p.w.floor_force, 4 * DBL_EPSILON * 1e20 / N, 1e-12);
+    near_rel(p.w.floor_moment, 4 * DBL_EPSILON * 1e20 / N / N, 1e-12);
+    rod_free(&p);
+}
+
+TEST_MAIN(cmocka_unit_test(scales), cmocka_unit_test(adrift), cmocka_unit_test(adrift_anyhow),
           cmocka_unit_test(loose_node), cmocka_unit_test(not_the_documents),
           cmocka_unit_test(documents_iteration),
           cmocka_unit_test(shapeless), cmocka_unit_test(lumped), cmocka_unit_test(one_hinge),

@@ -96,6 +96,12 @@ static void closed_path(void **state)
         if (i != 20)
             assert_int_equal(p[i].slack, i > 20);
     }
+    /* Energies are against the beginning, wherever that is. */
+    assert_int_equal(heel_path(&s, 0, NULL, 5 * DEGREES, 15 * DEGREES, 11, p, &n), SW_OK);
+    assert_int_equal(n, 11);
+    near_abs(p[0].energy, 0, 0);
+    for (int i = 1; i < n; i++)
+        near_abs(p[i].energy, work(&primary, p[i].tilt) - work(&primary, 5 * DEGREES), 1e-7);
 }
 
 /* The printed moment of one side, M = (W/4) h (sin^2 phi cos^2 delta - cos^2 phi sin^2 delta)/(sin

@@ -285,6 +285,32 @@ static void no_length(void **state)
     net_state_free(&s);
 }
 
+/* A chain across a slope touches where the bed is highest, seen from above: along x and along y. */
+static void across_a_slope(void **state)
+{
+    double lowest[2];
+    (void)state;
+
+    for (int k = 0; k < 2; k++) {
+        struct sea around = {
+            .bed = {.kind = BED_PLANE, .level = -10, .slope = {k ? 0 : 0.25, k ? 0.25 : 0}}};
+        struct net_node node[2] = {at(0, 0, 0), at(k ? 0 : 40, k ? 40 : 0, 3)};
+        struct net_rope part[1] = {rope(0, 1, 43, 1e6, 100, 8)};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &around};
+        struct net_state s = solve(&net, &exact);
+        struct rope_point point[9];
+
+        assert_non_null(s.fine); /* it was split, for it touches */
+        lowest[k] = INFINITY;
+        assert_int_equal(net_points(&net, &s, 0, point), 9);
+        for (int i = 0; i < 9; i++)
+            lowest[k] = fmin(lowest[k], point[i].x[2] + 10 - 0.25 * point[i].x[k]);
+        near_abs(lowest[k], 0, 1e-3);
+        net_state_free(&s);
+    }
+    near_abs(lowest[0], lowest[1], 1e-9);
+}
+
 /* Where memory runs out before anything else is known. */
 static void refused(void **state)
 {
@@ -324,4 +350,5 @@ TEST_MAIN(cmocka_unit_test(toggle), cmocka_unit_test(few_steps),
           cmocka_unit_test(few_steps_of_bodies), cmocka_unit_test(few_steps_of_tuning),
           cmocka_unit_test(drag_of_nodes), cmocka_unit_test(joints_on_the_bed),
           cmocka_unit_test(out_of_the_world), cmocka_unit_test(no_length),
+          cmocka_unit_test(across_a_slope),
           cmocka_unit_test(refused), cmocka_unit_test(laws))
