@@ -124,21 +124,22 @@ $(eval $(call engine,afl,afl-clang-fast,,-fsanitize=fuzzer))
 LIBFUZZ = $(TARGETS:%=$(BUILD)/fuzz/%)
 
 # make fuzz SECONDS=600 grows the corpus under $(BUILD)/corpus, each reader for so long; fuzz-afl too.
+# Every reader has its time, whatever another has found.
 SECONDS = 60
 fuzz: $(LIBFUZZ)
-	@for n in $(TARGETS); do mkdir -p $(BUILD)/corpus/$$n; \
+	@bad=0; for n in $(TARGETS); do mkdir -p $(BUILD)/corpus/$$n; \
 	  $(BUILD)/fuzz/$$n -max_total_time=$(SECONDS) -max_len=4096 -timeout=10 -print_final_stats=1 \
 	    -close_fd_mask=1 -artifact_prefix=$(BUILD)/corpus/$$n- $(BUILD)/corpus/$$n \
-	    tests/fuzz/corpus/$${n%_fuzz} || exit 1; done
+	    tests/fuzz/corpus/$${n%_fuzz} || bad=1; done; exit $$bad
 
 fuzz-afl: deps-optional $(TARGETS:%=$(BUILD)/afl/%)
-	@for n in $(TARGETS); do mkdir -p $(BUILD)/corpus/afl; \
+	@bad=0; for n in $(TARGETS); do mkdir -p $(BUILD)/corpus/afl; \
 	  AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_SKIP_CPUFREQ=1 AFL_NO_UI=1 AFL_AUTORESUME=1 \
 	    afl-fuzz -V $(SECONDS) -i tests/fuzz/corpus/$${n%_fuzz} -o $(BUILD)/corpus/afl/$$n \
-	    -t 10000 -- $(BUILD)/afl/$$n >$(BUILD)/corpus/afl/$$n.log 2>&1 || exit 1; \
+	    -t 10000 -- $(BUILD)/afl/$$n >$(BUILD)/corpus/afl/$$n.log 2>&1 || bad=1; \
 	  found=$$(find $(BUILD)/corpus/afl/$$n -path '*crashes/id*' -o -path '*hangs/id*'); \
 	  echo "$$n: $$(grep -h execs_done $(BUILD)/corpus/afl/$$n/default/fuzzer_stats) $$found"; \
-	  [ -z "$$found" ] || exit 1; done
+	  [ -z "$$found" ] || bad=1; done; exit $$bad
 
 -include $(COMMON:.o=.d) $(wildcard $(BUILD)/obj/tools/*.d $(BUILD)/obj/tests/*.d $(BUILD)/obj/tests/*/*.d)
 
@@ -181,8 +182,8 @@ experiment-$(1): $$(RESULTS)/$(1)/done \
   $(if $(wildcard scripts/experiments/$(1)/published.csv),$$(RESULTS)/$(1)/comparison.csv)
 	@echo '$(1): $$(RESULTS)/$(1)'
 $$(RESULTS)/$(1)/done: $(filter-out $(COMPARED:%=scripts/experiments/$(1)/%),$(shell \
-  find scripts/experiments/$(1) -type f)) scripts/experiment $(if $(filter plot/%,$(3)),scripts/plot/setup.sh) \
-  $(3:%=scripts/%) $(2:%=$$(BIN)/%)
+  find scripts/experiments/$(1) -type f)) scripts/experiment scripts/experiments/begin.sh \
+  $(if $(filter plot/%,$(3)),scripts/plot/setup.sh) $(3:%=scripts/%) $(2:%=$$(BIN)/%)
 	$$(WITH_TOOLS) scripts/experiment run scripts/experiments/$(1) $$(@D)
 $$(RESULTS)/$(1)/comparison.csv: $$(RESULTS)/$(1)/done scripts/published scripts/experiments/compute.sh \
   $(wildcard scripts/experiments/$(1)/published.csv scripts/experiments/$(1)/computed)

@@ -118,6 +118,7 @@ static int judge(struct reading *r, char *text)
         return stop(r, "expected key = value");
     if (colon && colon < equals)
         return stop(r, "a key ends with '=', not with ':'");
+    strip_comment(equals + 1); /* right after the '=' */
     if (trim(equals + 1)[0] == '\0')
         return stop(r, "the key has no value");
     if (r->ini->n_sections == 0)
@@ -203,13 +204,13 @@ enum status ini_read(FILE *f, const char *name, struct ini *ret, struct why *why
     return r.status;
 }
 
-/* Whether the name could stand in a file; cut where a comment would begin. */
-static int is_section_name(char *name)
+/* Whether the name or value could stand in a file; cut where a comment would begin. */
+static int can_stand(char *text)
 {
-    size_t length = strlen(name);
+    size_t length = strlen(text);
 
-    strip_comment(name);
-    return strlen(name) == length && !strchr(name, ']');
+    strip_comment(text);
+    return strlen(text) == length && !strchr(text, '\n');
 }
 
 static void drop(struct ini_entry *list, int *n, struct ini_entry *e)
@@ -252,8 +253,10 @@ enum status ini_set(struct ini *ini, const char *assignment, struct why *why)
     value = trim(equals + 1);
     if (*section == '\0' || *key == '\0')
         return fail(why, SW_USAGE, "--set %s: expected SECTION.KEY=VALUE", assignment);
-    if (!is_section_name(section))
+    if (!can_stand(section) || strchr(section, ']'))
         return fail(why, SW_USAGE, "--set %s: no file could hold such a section", assignment);
+    if (!can_stand(value))
+        return fail(why, SW_USAGE, "--set %s: no file could hold such a value", assignment);
     e = (struct ini_entry *)ini_find(ini, section, key);
     if (e && *value != '\0') {
         char *changed = mem_copy(value, strlen(value) + 1);

@@ -101,6 +101,7 @@ refuses 2 'slack without gravity' catenary --set gravity.acceleration=0 \
     --set cable.unstressed_length=111 stay.ini
 set_ 'a section that no file could hold' 'motion a]b.omega=1'
 set_ 'a comment for a label' 'motion #1.omega=1'
+set_ 'a comment for a value' 'time.start=#0'
 set_ 'two amplitudes' 'motion deck.amplitude=1 2'
 set_ 'two phases' 'motion deck.phase=1 2'
 set_ 'motion without omega' 'motion deck.omega='

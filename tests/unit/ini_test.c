@@ -205,6 +205,8 @@ static void refusals(void **state)
     bad("[a]\nx: 1 = 2\n", "test:2: a key ends with '=', not with ':'");
     bad("[a]\nx =\n", "test:2: the key has no value");
     bad("[a]\nx = # 1\n", "test:2: the key has no value");
+    bad("[a]\nx =#1\n", "test:2: the key has no value");
+    bad("[a]\nx=;1\n", "test:2: the key has no value");
     bad("[a]\nx = 1\ny = 2\n\nx = 3\n", "test:5: [a] x was given in line 2 already");
     bad("[a]\nx = 1\n[b]\nx = 1\n[ a ]\nx = 1\n", "test:6: [a] x was given in line 2 already");
     bad("[a  b]\nx = 1\n[a b]\nx = 1\n", "test:4: [a b] x was given in line 2 already");
@@ -292,6 +294,7 @@ static void set_refusals(void **state)
     static const char *const wrong[] = {"",     "a",    "a.x",   "=1",    "x=1",
                                         ".x=1", "a.=1", " .x=1", "a. =1", "a=1.5"};
     static const char *const section[] = {"a]b.x=1", "a #b.x=1", "a ;b.x=1", "[a].x=1", "#a.x=1"};
+    static const char *const value[] = {"a.x=#1", "a.x=1 #b", "a.x= ;b", "a.x=1\n2"};
     struct ini ini = good("[a]\nx = 1\n");
     char *longest = repeat('1', INI_LINE_BYTES + 1), wanted[200];
     (void)state;
@@ -306,6 +309,13 @@ static void set_refusals(void **state)
         snprintf(wanted, sizeof wanted, "--set %s: no file could hold such a section", section[i]);
         assert_string_equal(why.text, wanted);
     }
+    for (size_t i = 0; i < sizeof value / sizeof *value; i++) {
+        assert_int_equal(ini_set(&ini, value[i], &why), SW_USAGE);
+        snprintf(wanted, sizeof wanted, "--set %s: no file could hold such a value", value[i]);
+        assert_string_equal(why.text, wanted);
+    }
+    assert_int_equal(ini_set(&ini, "a.x=b=#c", &why), SW_OK);
+    is(&ini, "a", "x", "b=#c", 0);
     memcpy(longest, "a.x=", 4);
     assert_int_equal(ini_set(&ini, longest, &why), SW_USAGE);
     assert_string_equal(why.text, "--set: longer than 198 bytes");
