@@ -25,7 +25,7 @@ sub run_parallel
     }
     # words that no shell changes
     push @command, join ' ', "perl $id/run --run {}", unpack 'H*', $opt{tools} // '';
-    write_whole("$job/todo", sub { my $out = shift; print $out map { "$_\n" } @chunks });
+    write_whole("$job/left", sub { my $out = shift; print $out map { "$_\n" } @chunks });
     my ($pid, $stopped);
     local @SIG{qw(INT TERM)} = (sub { $stopped = shift; kill 'INT', $pid if $pid }) x 2;
     my $nohup = ($SIG{HUP} // '') eq 'IGNORE';
@@ -34,7 +34,7 @@ sub run_parallel
     if (!$pid) {
         $SIG{$_} = 'DEFAULT' for qw(INT TERM);
         setpgrp if $nohup; # parallel takes up SIGHUP by itself, unless it does not come to it
-        chdir $opt{d} and open STDIN, '<', "$job/todo" and open STDOUT, '>&', \*STDERR
+        chdir $opt{d} and open STDIN, '<', "$job/left" and open STDOUT, '>&', \*STDERR
             and exec { $command[0] } @command;
         print STDERR "$me: parallel cannot be run: $!\n";
         require POSIX;
@@ -42,7 +42,7 @@ sub run_parallel
     }
     kill 'INT', $pid if $stopped;
     1 until waitpid($pid, 0) == $pid || $!{ECHILD};
-    unlink "$job/todo";
+    unlink "$job/left";
     return $stopped;
 }
 

@@ -44,7 +44,7 @@ for study in crossover shape-change convergence; do
     done
     runs 0 "make $study: its rule" ask -np
     grep -F "$table:" "$scratch/out" | tr ' ' '\n' >"$scratch/rule"
-    for part in experiments/$study/case.ini experiments/$study/run experiments/study.sh plot/$study \
+    for part in experiments/$study/case.ini experiments/$study/run experiments/begin.sh plot/$study \
         plot/setup.sh experiment; do
         grep -qxF "scripts/$part" "$scratch/rule"
         ok $? "make $study: again when $part is newer"
@@ -152,7 +152,8 @@ column "$scratch/convergence/laws.csv" '{
     if (c["mode"] == 2 && !(size(c["thesis_above_hooke"]/2.3e-4 - 1) < 0.02)) wrong("2.3e-4")
 }' 'convergence: what the laws differ by'
 
-# No picture of what is no table; nothing left of an earlier run when a run fails.
+# No picture of what is no table, or of a run that failed.  (scripts/experiment gives a new directory
+# to each run.)
 for study in crossover convergence; do
     runs 2 "plot/$study: no table" "$top/scripts/plot/$study" "$experiments/$study/case.ini" \
         "$scratch/none.png"
@@ -165,8 +166,8 @@ mkdir "$scratch/bin"
 printf '#!/bin/sh\nexit 1\n' >"$scratch/bin/modal"
 chmod +x "$scratch/bin/modal"
 for study in crossover shape-change convergence; do
-    ! PATH=$scratch/bin:$PATH "$experiments/$study/run" "$scratch/$study" >/dev/null 2>&1 &&
-        [ ! -e "$scratch/$study/table.txt" ] && [ ! -e "$scratch/$study/$study.png" ]
+    ! PATH=$scratch/bin:$PATH "$experiments/$study/run" "$scratch/failed/$study" >/dev/null 2>&1 &&
+        [ ! -e "$scratch/failed/$study/table.txt" ] && [ ! -e "$scratch/failed/$study/$study.png" ]
     ok $? "$study: a failure leaves no table and no picture"
 done
 

@@ -187,4 +187,19 @@ runs 0 'an undamped resonance' stabil --set stability.ground=undamped \
 says 'an undamped resonance of the ground motion: no row' 'is told'
 holds 'n == 0' out 'and has no row'
 
+# scripts/nearest-resonance: a deck at twice the first frequency, and one that is far from all.
+first=$(modal --modes 1 seil2.ini | awk -F, 'NR == 2 { printf "%.10g", $3 }')
+awk -v f="$first" 'BEGIN { print "mode,frequency_Hz"; printf "1,0.01\n2,%.10g\n", 2*f }' >deck.csv
+runs 0 'a deck at twice the first frequency' "$top/scripts/nearest-resonance" deck.csv seil2.ini
+cp out nearest.csv
+runs 0 'the map at this frequency' stabil -q --set stability.modes=1 --set stability.ratio_start=1 \
+    --set stability.ratio_end=1 --set stability.reference_mode=1 seil2.ini
+awk -F, 'NR == FNR { if (FNR > 1 && $4 == "2T" && (least == "" || $3 < least)) least = $3; next }
+    FNR == 2 { exit !($2 == 1 && $3 == "out" && $4 == 1 && $6*$6 < 1e-16 && least > 0 &&
+        ($7/least - 1)^2 < 1e-12 && $8 == $1 && $9 == 1 && $10 == $7) }' out nearest.csv # deck: ten digits
+ok $? 'is the principal resonance of mode 1, from the amplitude that stabil has'
+echo 'mode,frequency' >deck.csv
+runs 2 'a deck without frequencies' "$top/scripts/nearest-resonance" deck.csv seil2.ini
+says 'deck.csv: has no column frequency_Hz with numbers above 0' 'is told'
+
 finish

@@ -1,1 +1,1 @@
-$(eval $(call experiment,convergence,catenary modal,plot/convergence experiments/study.sh))
+$(eval $(call experiment,convergence,catenary modal,plot/convergence experiments/hang.sh))

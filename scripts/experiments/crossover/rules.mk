@@ -1,1 +1,1 @@
-$(eval $(call experiment,crossover,catenary modal,plot/crossover experiments/study.sh))
+$(eval $(call experiment,crossover,catenary modal,plot/crossover experiments/hang.sh))

@@ -1,1 +1,1 @@
-$(eval $(call experiment,ensemble-seil2,catenary diffverf modal stabil,study plot/ensemble experiments/study.sh))
+$(eval $(call experiment,ensemble-seil2,catenary diffverf modal stabil,study plot/ensemble))

@@ -1,1 +1,1 @@
-$(eval $(call experiment,frequencies,catenary modal,plot/frequencies experiments/study.sh experiments/seil1-whirl/case.ini experiments/seil2-whirl/case.ini))
+$(eval $(call experiment,frequencies,catenary modal,plot/frequencies experiments/seil1-whirl/case.ini experiments/seil2-whirl/case.ini))

@@ -1,1 +1,1 @@
-$(eval $(call experiment,protocols,catenary modal diffverf,plot/protocol experiments/study.sh))
+$(eval $(call experiment,protocols,catenary modal diffverf,plot/protocol))

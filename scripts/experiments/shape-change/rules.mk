@@ -1,1 +1,1 @@
-$(eval $(call experiment,shape-change,catenary modal,plot/shape-change experiments/study.sh))
+$(eval $(call experiment,shape-change,catenary modal,plot/shape-change experiments/hang.sh))

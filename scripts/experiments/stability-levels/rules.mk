@@ -1,1 +1,1 @@
-$(eval $(call experiment,stability-levels,catenary modal stabil diffverf,plot/regions plot/stability check-point experiments/study.sh))
+$(eval $(call experiment,stability-levels,catenary modal stabil diffverf,plot/regions plot/stability check-point))

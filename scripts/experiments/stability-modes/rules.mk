@@ -1,1 +1,1 @@
-$(eval $(call experiment,stability-modes,catenary modal stabil,plot/regions experiments/study.sh))
+$(eval $(call experiment,stability-modes,catenary modal stabil,plot/regions))

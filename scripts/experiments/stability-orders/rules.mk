@@ -1,1 +1,1 @@
-$(eval $(call experiment,stability-orders,catenary modal stabil,plot/regions experiments/study.sh))
+$(eval $(call experiment,stability-orders,catenary modal stabil,plot/regions experiments/hang.sh))
