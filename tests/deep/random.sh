@@ -1,6 +1,9 @@
 #!/bin/sh
 # Random admissible cases against what must hold whatever the numbers are: equilibrium put back,
 # symmetry, order, and units: the same thing in metres and in millimetres must give the same answer.
+# Tolerances are some 20 times what was found: the static start ends an iteration at 1e-9 (modal), a
+# motion multiplies what is left of it (diffverf), as the search of a boundary does (stabil); the
+# others have round-off alone.
 # A million cables and lifts, 2000 cases of each other tool; MANY and SOME in the environment: fewer.
 . "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
@@ -161,7 +164,7 @@ all 'c["verdict"] != "not-judged" && c["why"] != "" && (c["h_m"] > 0) == (c["ver
     lifts.out 'sling: a verdict as the height'
 # g is fixed, so forces stay; lengths of kilometres are refused, so decimetres
 in_units 10 <lifts.csv | sling -q - >units.out
-same_in_units lifts.out units.out 10 1 1e-9 sling
+same_in_units lifts.out units.out 10 1 1e-8 sling
 awk -F, -v OFS=, 'FNR == NR { z[FNR] = $3; next } FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print; next }
     { $4 = $at["z_critical_m"]; print }' lifts.csv lifts.out | cut -d, -f1-8 | sling -q - >critical.out
 all 'size(c["h_m"]) <= 1e-9*(c["v_m"] + c["s_m"] + size(c["z_m"]))*(1 + c["m_spreader_t"]/c["m_load_t"]) || c["z_m"] == "inf"' critical.out \
@@ -222,9 +225,17 @@ twice()
     [ "$(awk 'END { print NR }' "$name-some/failed.csv")" -le $((some / 20)) ]
     ok $? "$name: few are"
 }
+
+# finds_all NAME: the study NAME-some has a result for every point.
+finds_all()
+{
+    [ "$(awk 'END { print NR }' "$1-some/failed.csv")" -le 1 ] &&
+        [ "$(awk -F, 'NR > 1 { n += !($1 in seen); seen[$1] = 1 } END { print n }' "$1-some/results.csv")" -eq "$some" ]
+    ok $? "$1: every point has its result"
+}
 twice modal modal --modes 6 case.ini
-same_in_units modal-some/results.csv modal-thin/results.csv 1000 1000 1e-6 modal
-all 'c["omega_rad_s"] > 0 && c["frequency_Hz"]*2*3.14159265358979 - c["omega_rad_s"] < 1e-9*c["omega_rad_s"]' \
+same_in_units modal-some/results.csv modal-thin/results.csv 1000 1000 1e-7 modal
+all 'c["omega_rad_s"] > 0 && size(c["frequency_Hz"]*2*atan2(0, -1) - c["omega_rad_s"]) < 1e-14*c["omega_rad_s"]' \
     modal-some/results.csv 'modal: frequencies'
 awk -F, -v OFS=, 'NR > 1 { sub(/^/, "-", $2); sub(/^--/, "", $2) } { print }' some.csv >mirror.csv
 "$study" -q -d modal-mirror --table mirror.csv modal --modes 6 case.ini
@@ -232,9 +243,9 @@ cut -d, -f13 modal-mirror/results.csv | sed '1s/.*/mirrored/' | paste -d, modal-
 header modal-some/results.csv "$(head -n 1 modal-mirror/results.csv)" 'modal: its columns'
 all 'size(c["mirrored"] - c["omega_rad_s"]) <= 1e-6*c["omega_rad_s"]' both.out 'modal: the mirror image'
 twice diffverf diffverf -q --energy case.ini
-same_in_units diffverf-some/results.csv diffverf-thin/results.csv 1000 1000 1e-6 diffverf
+same_in_units diffverf-some/results.csv diffverf-thin/results.csv 1000 1000 1e-5 diffverf
 twice stabil stabil -q case.ini
-same_in_units stabil-some/results.csv stabil-thin/results.csv 1000 1000 1e-4 stabil
+same_in_units stabil-some/results.csv stabil-thin/results.csv 1000 1000 1e-5 stabil
 
 # A buoy on three ropes of different lengths, and a bent wire: tables by a script that takes --set.
 cat >buoy <<'END'
@@ -265,8 +276,9 @@ draw "$some" 5 span=1:1000:log drop=0.2:1 slack=0.01:0.5 mu=0.1:100:log strain=1
           printf "%.15g,%.15g,%.15g,%.15g,%.15g,%.15g,%.15g\n", $1, d, L, $4, W/$5, $6, W*$7 }' >some.csv
 in_units 1000 <some.csv >thin.csv
 twice gapnet ./buoy
-same_in_units gapnet-some/results.csv gapnet-thin/results.csv 1000 1000 1e-6 gapnet
-all 'size(c["fz_N"] + 0) > 0' gapnet-some/results.csv 'gapnet: gapcheck proves all of them'
+same_in_units gapnet-some/results.csv gapnet-thin/results.csv 1000 1000 1e-12 gapnet
+# buoy stops where gapcheck does not agree
+finds_all gapnet
 
 cat >bent <<'END'
 #!/bin/sh
@@ -292,7 +304,8 @@ draw "$some" 6 radius=0.1:10:log angle=20:170 diameter=1e-3:2e-2:log modulus=1e9
 awk -F, -v OFS=, 'NR == 1 { print; next } { printf "%.17g,%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n",
     1000*$1, $2, $3/1000, $4/1000, 1e6*$5, 1e12*$6, 1e12*$7, 1000*$8 }' some.csv >thin.csv
 twice wirebeam ./bent
-same_in_units wirebeam-some/results.csv wirebeam-thin/results.csv 1000 1000 1e-6 wirebeam
+finds_all wirebeam
+same_in_units wirebeam-some/results.csv wirebeam-thin/results.csv 1000 1000 1e-11 wirebeam
 
 # What is no case is refused with words, and prints nothing: one key after the other with a value that
 # cannot be.
