@@ -1,7 +1,7 @@
 #!/bin/sh
 # Random admissible cases against what must hold whatever the numbers are: equilibrium put back,
 # symmetry, order, and units: the same thing in metres and in millimetres must give the same answer.
-# Tolerances are some 20 times what was found: the static start ends an iteration at 1e-9 (modal), a
+# Tolerances are some 20 times what was found: the static start ends an iteration (modal), a
 # motion multiplies what is left of it (diffverf), as the search of a boundary does (stabil); the
 # others have round-off alone.
 # A million cables and lifts, 2000 cases of each other tool; MANY and SOME in the environment: fewer.

@@ -2,7 +2,8 @@
  * Preloaded library that makes one call of a program fail, for the fault tests.
  *
  * SEILWERK_FAIL_ALLOC=n: the n-th malloc, calloc or realloc finds no memory; calls from within
- * OpenBLAS, libgfortran and the dynamic loader do not count, they are not ours to survive.
+ * OpenBLAS, libgfortran, the sanitizers and the dynamic loader do not count, they are not ours to
+ * survive.
  * SEILWERK_FAIL_OUTPUT=n: the n-th open (to create), fdopen, fflush, fsync, fclose (of files to write), rename or
  * mkdir fails for want of space.
  */
@@ -18,9 +19,6 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-void *__libc_malloc(size_t n);
-void *__libc_calloc(size_t n, size_t size);
-void *__libc_realloc(void *p, size_t n);
 
 static long allocations = -1, outputs = -1; /* calls still to go; negative: not read yet */
 
@@ -45,11 +43,12 @@ static int allocation_fails(void *caller)
 {
     Dl_info info;
 
-    if (allocations < 0)
+    if (allocations < 0 && environ) /* not yet there when the first libraries begin */
         allocations = setting("SEILWERK_FAIL_ALLOC");
-    if (allocations == 0 || !dladdr(caller, &info) || !info.dli_fname ||
+    if (allocations <= 0 || !dladdr(caller, &info) || !info.dli_fname ||
         strstr(info.dli_fname, "blas") || strstr(info.dli_fname, "ld-linux") ||
-        strstr(info.dli_fname, "gfortran") || --allocations > 0)
+        strstr(info.dli_fname, "gfortran") || strstr(info.dli_fname, "san.so") ||
+        --allocations > 0)
         return 0;
     mark();
     return 1;
@@ -64,24 +63,6 @@ static int output_fails(void)
     mark();
     errno = ENOSPC;
     return 1;
-}
-
-void *malloc(size_t n)
-{
-    return allocation_fails(__builtin_return_address(0)) ? (errno = ENOMEM, NULL)
-                                                         : __libc_malloc(n);
-}
-
-void *calloc(size_t n, size_t size)
-{
-    return allocation_fails(__builtin_return_address(0)) ? (errno = ENOMEM, NULL)
-                                                         : __libc_calloc(n, size);
-}
-
-void *realloc(void *p, size_t n)
-{
-    return allocation_fails(__builtin_return_address(0)) ? (errno = ENOMEM, NULL)
-                                                         : __libc_realloc(p, n);
 }
 
 /* The function of this name that would be called without us. */
@@ -100,6 +81,33 @@ static void *next(const char *name)
         void *found = next(name);                                                                  \
         memcpy(&(variable), &found, sizeof found);                                                 \
     } while (0)
+
+void *malloc(size_t n)
+{
+    static void *(*f)(size_t);
+
+    if (!f)
+        NEXT(f, "malloc");
+    return allocation_fails(__builtin_return_address(0)) ? (errno = ENOMEM, NULL) : f(n);
+}
+
+void *calloc(size_t n, size_t size)
+{
+    static void *(*f)(size_t, size_t);
+
+    if (!f)
+        NEXT(f, "calloc");
+    return allocation_fails(__builtin_return_address(0)) ? (errno = ENOMEM, NULL) : f(n, size);
+}
+
+void *realloc(void *p, size_t n)
+{
+    static void *(*f)(void *, size_t);
+
+    if (!f)
+        NEXT(f, "realloc");
+    return allocation_fails(__builtin_return_address(0)) ? (errno = ENOMEM, NULL) : f(p, n);
+}
 
 int open(const char *path, int flags, ...)
 {
