@@ -307,28 +307,91 @@ twice wirebeam ./bent
 finds_all wirebeam
 same_in_units wirebeam-some/results.csv wirebeam-thin/results.csv 1000 1000 1e-11 wirebeam
 
-# What is no case is refused with words, and prints nothing: one key after the other with a value that
-# cannot be.
-for tool in catenary modal diffverf stabil; do
+# What is no case is refused with words, and prints nothing: one key of a case, or one cell of a table,
+# after the other with a value that cannot be, or that can and then has numbers for results.
+values='nan inf -1 1e400 x 1,5 0x10p3 1e-400 -0 1e300 1e-300 99999999999999999999'
+no_number='nan|inf'
+bad=
+n=0
+
+# asked WHAT COMMAND...: runs it, and adds what is wrong to $bad.
+asked()
+{
+    what=$1
+    shift
+    n=$((n + 1))
+    timeout 20 "$@" >out 2>err
+    status=$?
+    case $status in
+    0) ! grep -qiE ",-?($no_number)(,|\$)" out || bad="$bad $what:nan" ;;
+    1 | 2) [ -s err ] || bad="$bad $what:silent" ;;
+    *) bad="$bad $what:$status" ;;
+    esac
+    [ $status -ne 2 ] || [ ! -s out ] || bad="$bad $what:printed"
+}
+
+# told NAME: the verdict on all that were asked since.
+told()
+{
+    [ -z "$bad" ] || echo "# $bad"
+    [ -z "$bad" ] && [ $n -gt 0 ]
+    ok $? "$1: $n inputs with one value that cannot be, or that can"
     bad=
     n=0
-    for key in cable.unstressed_length cable.mass_per_length cable.axial_stiffness supports.span \
-        mesh.elements gravity.acceleration damping.zeta time.end stability.ratio_step 'motion deck.omega'; do
-        for value in nan inf -1 1e400 '' x 1,5 '1 2 3 4 5 6 7' 0x10p3 1e-400 -0 99999999999999999999; do
-            n=$((n + 1))
-            timeout 10 $tool --set "$key=$value" --set mesh.elements=2 case.ini >out 2>err
-            status=$?
-            case $status in
-            0) ! grep -qiE '(^|,)-?(nan|inf)' out || bad="$bad $key=$value:nan" ;;
-            1 | 2) [ -s err ] || bad="$bad $key=$value:silent" ;;
-            *) bad="$bad $key=$value:$status" ;;
-            esac
-            [ $status -ne 2 ] || [ ! -s out ] || bad="$bad $key=$value:printed"
+}
+
+# cells TABLE COMMAND...: each cell of the second line in turn.
+cells()
+{
+    table=$1
+    shift
+    cp "$table" sound.csv
+    columns=$(awk -F, 'NR == 1 { print NF }' "$table")
+    i=0
+    while [ $((i += 1)) -le "$columns" ]; do
+        for value in $values '' '1 2' '"'; do
+            value=$value awk -F, -v OFS=, -v i=$i 'NR == 2 { $i = ENVIRON["value"] } { print }' sound.csv >"$table"
+            asked "$table:$i=$value" "$@"
         done
     done
-    [ -z "$bad" ] || echo "# $bad"
-    [ -z "$bad" ]
-    ok $? "$tool: $n cases with one value that cannot be, or that can"
+    cp sound.csv "$table"
+}
+
+for tool in catenary modal diffverf stabil; do
+    for key in cable.unstressed_length cable.mass_per_length cable.axial_stiffness supports.span \
+        supports.drop mesh.elements gravity.acceleration damping.zeta time.end time.output_every \
+        stability.ratio_step 'motion deck.omega' 'motion deck.amplitude'; do
+        for value in $values '' '1 2 3 4 5 6 7'; do
+            asked "$key=$value" $tool --set "$key=$value" --set mesh.elements=2 case.ini
+        done
+    done
+    told $tool
 done
+head -n 2 "$top/scripts/experiments/lifts/cases.csv" >lift.csv
+no_number='nan' # a critical height may be infinite
+cells lift.csv sling lift.csv
+cells lift.csv sling --exact lift.csv
+told sling
+no_number='nan|inf'
+cp "$top/scripts/experiments/nets/mooring/"* .
+for key in environment.gravity environment.water_density solve.elements solve.tolerance solve.iterations; do
+    for value in $values; do
+        asked "$key=$value" gapnet -q --set "$key=$value" --rope chain system.ini
+    done
+done
+for table in nodes ropes types; do
+    cells $table.csv gapnet -q --rope chain system.ini
+done
+told gapnet
+"$ARC" . 1 90 2
+for key in solve.steps solve.tolerance solve.iterations solve.largest_angle output.points; do
+    for value in $values; do
+        asked "$key=$value" wirebeam -q --set "$key=$value" case.ini
+    done
+done
+for table in nodes elements sections supports loads; do
+    cells $table.csv wirebeam -q case.ini
+done
+told wirebeam
 
 finish
