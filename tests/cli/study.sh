@@ -259,6 +259,29 @@ same wanted moody/results.csv 'all is in order'
 [ ! -e moody/failed.csv ]
 ok $? 'no failed points are left'
 
+# A tool that is told to stop has not failed: its chunk is not done.  One that crashes has.
+cat >shot.sh <<'END'
+#!/bin/sh
+[ "$SEILWERK_POINT" -ne 5 ] || [ ! -e "$LOGFILE.shot" ] || kill -s "$(cat "$LOGFILE.shot")" $$
+echo x
+echo "$SEILWERK_POINT"
+END
+chmod +x shot.sh
+for signal in INT TERM HUP; do
+    echo $signal >moody.log.shot
+    runs 1 "a tool stopped by SIG$signal" study -d shot-$signal --chunk 4 --grid a.b=1:20:1 ./shot.sh
+    [ ! -e shot-$signal/failed.csv ] && ! grep -q '^[5-8],' shot-$signal/results.csv
+    ok $? 'its chunk is not done, and nothing has failed'
+    rm moody.log.shot
+    runs 0 'again' study -d shot-$signal --grid a.b=1:20:1 ./shot.sh
+    same wanted shot-$signal/results.csv 'is computed then'
+done
+echo SEGV >moody.log.shot
+runs 1 'a tool that crashes' study -d shot --chunk 4 --grid a.b=1:20:1 ./shot.sh
+grep -qx '5,5,signal 11,killed by signal 11' shot/failed.csv && [ "$(wc -l <shot/results.csv)" -eq 20 ]
+ok $? 'has failed, with this reason'
+rm moody.log.shot
+
 # Stopped in the middle, then continued.
 cat >slow.sh <<'END'
 #!/bin/sh
