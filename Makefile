@@ -202,7 +202,8 @@ $(RESULTS)/report.html: experiments scripts/report scripts/experiments/contents 
 $(RESULTS)/report.pdf: $(RESULTS)/report.html scripts/html2pdf
 	@scripts/html2pdf $< $@
 
-TEST_ENV = SEILWERK_BUILD='$(abspath $(BUILD))' PATH='$(abspath $(BUILD))/bin':$$PATH \
+# Tests send signals, which nohup would have them ignore.
+TEST_ENV = env --default-signal=HUP,INT SEILWERK_BUILD='$(abspath $(BUILD))' PATH='$(abspath $(BUILD))/bin':$$PATH \
   OPENBLAS_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP CC='$(CC)'
 SUITES = $(UNIT) $(sort $(wildcard tests/cli/*.sh tests/cross/*.sh tests/fault/*.sh))
 
