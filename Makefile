@@ -54,7 +54,7 @@ help:
 	@echo 'check        all tests;  check-deep: sanitizers, valgrind, long fuzzing, 1e8 numbers'
 	@echo 'coverage     lines and branches of common/num, phys, sys that the tests run, and the bounds'
 	@echo 'mutate       change common/phys in 60 places, one at a time: does a test fail?'
-	@echo 'check-hosts  studies over several hosts: sshd on loopback, killed in mid-study'
+	@echo 'check-hosts  studies over several hosts: sshd on loopback, a Slurm of one node, killed in mid-study'
 	@echo 'fuzz         libFuzzer on every reader, SECONDS=60 each; fuzz-afl: AFL++'
 	@echo 'analyze      gcc -fanalyzer, cppcheck, clang-tidy'
 	@echo 'bench        rates beside their targets'
@@ -154,7 +154,7 @@ deps-report:
 	@scripts/deps build demo report
 deps-optional:
 	@scripts/deps optional
-# Not among all: the tools of Debian packages; an ssh server.
+# Not among all: the tools of Debian packages; an ssh server and Slurm.
 deps-package:
 	@scripts/deps build package
 deps-hosts:
@@ -251,7 +251,7 @@ check-coverage:
 mutate:
 	@scripts/mutate --build $(BUILD) --count 60
 
-# Not part of check: it starts servers.
+# Not part of check: it starts servers, of ssh and of Slurm.
 check-hosts: all
 	@$(TEST_ENV) prove $(sort $(wildcard tests/hosts/*.sh))
 
