@@ -173,7 +173,7 @@ static enum status make_end(const struct lift_given *g, int end, double m_load, 
 
 static enum status make_pair(const struct lift_given *g, struct lift *ret, struct why *why)
 {
-    double m[2];
+    double m[2] = {NAN, NAN};
     enum status s = find_shares(g, ret->share, m, why);
 
     ret->ends = 2;

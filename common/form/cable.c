@@ -135,7 +135,7 @@ static enum status take_labelled(const struct reading *r, const char *name, size
             known |= strcmp(label[j], e->section) == 0;
         if (known || !section_is(e->section, name))
             continue;
-        strcpy(label[n], e->section);
+        snprintf(label[n], sizeof *label, "%s", e->section);
         s = keys_take(r, e->section, items + size * (size_t)n);
         if (s != SW_OK)
             return s;

@@ -173,7 +173,7 @@ static int one_apart(const char *a, const char *b)
 
     if (n > m)
         return one_apart(b, a);
-    while (i < n && a[i] == b[i])
+    while (a[i] != '\0' && a[i] == b[i])
         i++;
     return m - n <= 1 && strcmp(a + i + (n == m && i < n), b + i + (i < m)) == 0;
 }

@@ -70,7 +70,7 @@ static void name_body(const struct deck_place *place, char ret[32])
 {
     ret[0] = '\0';
     if (place->hold == DECK_COUPLED)
-        strcpy(ret, "vessel");
+        snprintf(ret, 32, "vessel");
     else if (place->hold == DECK_BODY)
         snprintf(ret, 32, "body%s", place->number);
     else if (place->hold == DECK_TURBINE)
@@ -110,12 +110,14 @@ enum status deck_name_bodies(const struct deck *d, struct system *p, struct why 
         struct deck_place place = {DECK_BODY, ""};
         const char *id = d->row[i].word[0];
         char name[32];
+        size_t length;
 
         id += strspn(id, "BODYbody");
-        if (strlen(id) >= sizeof place.number || strspn(id, "0123456789") != strlen(id) || !*id)
+        length = strlen(id);
+        if (length == 0 || length >= sizeof place.number || strspn(id, "0123456789") != length)
             return deck_fail(why, d, d->row[i].line, "'%.60s' is no number of a body",
                              d->row[i].word[0]);
-        strcpy(place.number, id);
+        memcpy(place.number, id, length + 1);
         name_body(&place, name);
         s = roll_add(&p->bodies, name, d->row[i].line, why);
     }

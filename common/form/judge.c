@@ -6,6 +6,7 @@
 
 static void find(const struct lift *l, struct judge_found *f)
 {
+    *f = (struct judge_found){.h = {NAN, NAN}}; /* of an end that is not there */
     for (int k = 0; k < l->ends; k++) {
         rigging_heights(&l->end[k], &f->heights[k]);
         if (l->ends == 2 && l->end[k].type == RIGGING_ELASTIC)

@@ -85,11 +85,12 @@ char *case_beside(const char *path, const char *file)
 {
     const char *slash = strrchr(path, '/');
     size_t length = slash && file[0] != '/' ? (size_t)(slash - path) + 1 : 0;
-    char *ret = mem_zeroed(length + strlen(file) + 1, 1);
+    size_t rest = strlen(file) + 1;
+    char *ret = mem_zeroed(length + rest, 1);
 
     if (ret) {
         memcpy(ret, path, length);
-        strcpy(ret + length, file);
+        memcpy(ret + length, file, rest);
     }
     return ret;
 }

@@ -252,7 +252,7 @@ static enum status take_element(struct wire *p, int row, const struct wire_names
 {
     const struct sheet *t = &p->elements;
     struct frame_beam whole = {.a = 0};
-    struct station ends[2];
+    struct station ends[2] = {{.twist = 0}};
     struct bow bow;
     double angle;
     int section = 0, n = 1;

@@ -112,7 +112,7 @@ static enum status newton_step(struct balance *w, const struct potential *p, con
 /* Newton with the active slings, until nothing is gained any more. */
 static enum status newton(struct balance *w, struct potential *p)
 {
-    double c[GEAR_SLINGS], before = INFINITY;
+    double c[GEAR_SLINGS] = {0}, before = INFINITY;
     struct nullspace f;
 
     for (int i = 0; i < NEWTON_STEPS; i++) {

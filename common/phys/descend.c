@@ -88,6 +88,7 @@ static enum status bounded_step(const struct potential *p, double radius, double
     high = low + norm(n, b) / radius + 1;
     length = shifted(n, lambda, b, low, y);
     if (length < radius && lambda[0] < -doubtful(p))
+        /* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): n > 0, else newton_step was enough */
         y[0] += copysign(sqrt(radius * radius - length * length), -b[0]);
     for (int i = 0; i < 60 && length > radius; i++) {
         double mid = (low + high) / 2, l = shifted(n, lambda, b, mid, y);

@@ -126,6 +126,7 @@ static enum status step(struct iteration *it)
         return s;
     along = along_step(it);
     move(it, 1);
+    /* NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter,cert-flp30-c): halves are exact */
     for (double f = 0.5; f > 1e-3; f /= 2) {
         if (residual(it) < before || fabs(along_step(it)) < 0.9 * along)
             break;

@@ -102,24 +102,25 @@ static void evaluate_beam(const struct frame *f, const struct frame_state *s, in
     struct posed p;
     struct corotated here;
     struct block b;
-    double K[144];
+    double of_ends[144], *K = b.K; /* apart where hinges add unknowns to those of the ends */
 
     begin_block(f, w, i, moves, &b);
+    if (b.n > 12)
+        K = of_ends;
     pose(f, s, w, i, &p);
-    corotate(&p.e, p.d, p.q1, p.q2, p.q, w->guessed ? w->guess + 6 * i : NULL, &here,
-             b.n > 12 ? K : b.K);
+    corotate(&p.e, p.d, p.q1, p.q2, p.q, w->guessed ? w->guess + 6 * i : NULL, &here, K);
     measure(here.force, w);
     w->angle = fmax(w->angle, here.angle);
     w->energy += here.energy;
     if (p.q)
         w->energy -= p.e.length * vec3_dot(p.q, s->x + 3 * beam->b);
-    if (b.n > 12)
+    if (K == of_ends)
         hinge_expand(beam->hinge, p.axis, here.force, K, b.force, b.K);
     else
         memcpy(b.force, here.force, sizeof here.force);
     memcpy(w->end + 12 * i, here.force, sizeof here.force);
     if (moves.node)
-        keep_ends(beam, &b, p.axis, here.force, b.n > 12 ? K : b.K, w->end + 12 * i);
+        keep_ends(beam, &b, p.axis, here.force, K, w->end + 12 * i);
     add_block(&b, at, w);
 }
 

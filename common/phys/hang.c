@@ -17,7 +17,8 @@ enum { ROUNDS = 40 };
 static const double pull = 1e-10;     /* a force below this, over the weight, counts as none */
 static const double unstable = -1e-9; /* least eigenvalue of what is no minimum */
 
-/* Least eigenvalue of the second derivative in the room, its vector v (n) or NULL. */
+/* Least eigenvalue of the second derivative in the room and its vector v (n), if v is not NULL.
+ * INFINITY: there is no room; NAN: it was not found; v is not set by either. */
 static double least_in(const struct room *room, const struct potential *p, double *v)
 {
     double A[GEAR_FREE * GEAR_FREE], X[GEAR_FREE * GEAR_FREE];
@@ -108,12 +109,14 @@ static enum status finish(struct balance *w, struct potential *p)
 {
     struct balance exact = *w;
     struct room room;
-    double v[GEAR_FREE], least;
+    double v[GEAR_FREE] = {0}, least;
 
     if (balance_solve(&exact, p) != SW_OK || !(distance(w->s, w->pose, exact.pose) < 0.2))
         return SW_NOCONV;
     room_of(w->s, exact.pose, &w->f, p, exact.force, pull, NULL, &room);
     least = least_in(&room, p, v);
+    if (isnan(least))
+        return SW_NOCONV;
     if (!(least > unstable)) {
         if (leans(w->s) && held_by_contact(&exact, v)) {
             exact.by_contact = 1;

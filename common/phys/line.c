@@ -135,6 +135,7 @@ static double newton_step(struct line *s, struct piece *p, double r[2], double o
     det = F[0] * F[3] - F[1] * F[2];
     dH = -(F[3] * r[0] - F[1] * r[1]) / det;
     dV = -(F[0] * r[1] - F[2] * r[0]) / det;
+    /* NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter,cert-flp30-c): halves are exact */
     for (double f = 1; f > 1e-10; f /= 2) {
         double H = fmax(s->H + f * dH, s->H / 10), V = s->V + f * dV, trial[2];
         struct piece q;

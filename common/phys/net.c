@@ -340,6 +340,7 @@ static enum status sharpen(struct net *net, const struct net_options *o, struct 
     double *x = mem_doubles(3 * (size_t)net->n), *t = mem_doubles(3 * (size_t)net->m);
     enum status status = x && t ? SW_OK : SW_NOMEM;
 
+    /* NOLINTNEXTLINE(cert-flp30-c): it ends between two decades, whatever their round-off */
     for (double part = ROUGH / 10; part > NET_SHARP / 2 && status == SW_OK; part /= 10) {
         int last = s->steps + SHARPEN;
 

@@ -76,6 +76,19 @@ static void take_tension(const struct net *net, int r, const struct net *fine, i
         t[i] = p->epsilon / sqrt(slack) * d[i];
 }
 
+/* State s of the net by that of its split one, solved or not. */
+static void take_state(const struct net *net, const struct net_split *split,
+                       const struct net_state *moved, struct net_work *w, struct net_state *s)
+{
+    memcpy(s->x, moved->x, 3 * sizeof *s->x * (size_t)net->n);
+    for (int r = 0; r < net->m; r++)
+        take_tension(net, r, &split->fine, split->first[r], moved, s->t + 3 * r);
+    memcpy(s->step, moved->step, sizeof *s->step * ((size_t)moved->steps + 1));
+    s->steps = moved->steps;
+    s->worst = moved->worst < net->n ? moved->worst : -1;
+    net_evaluate(net, s->x, s->t, w);
+}
+
 enum status net_displace(const struct net *net, const struct net_options *o, struct net_work *w,
                          struct net_state *s)
 {
@@ -88,15 +101,8 @@ enum status net_displace(const struct net *net, const struct net_options *o, str
     if (status == SW_OK) {
         moved.size = s->size;
         status = solve_fine(&split.fine, o, &moved);
-    }
-    if (status == SW_OK || status == SW_NOCONV || status == SW_INDEFINITE) {
-        memcpy(s->x, moved.x, 3 * sizeof *s->x * (size_t)net->n);
-        for (int r = 0; r < net->m; r++)
-            take_tension(net, r, &split.fine, split.first[r], &moved, s->t + 3 * r);
-        memcpy(s->step, moved.step, sizeof *s->step * ((size_t)moved.steps + 1));
-        s->steps = moved.steps;
-        s->worst = moved.worst < net->n ? moved.worst : -1;
-        net_evaluate(net, s->x, s->t, w);
+        if (status == SW_OK || status == SW_NOCONV || status == SW_INDEFINITE)
+            take_state(net, &split, &moved, w, s);
     }
     net_state_free(&moved);
     net_split_free(&split);

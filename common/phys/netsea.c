@@ -145,13 +145,14 @@ static enum status solve_split(const struct net *net, const struct net_options *
     s = net_split_new(net, parts, o->method == NET_GAP, &fine->split);
     if (s == SW_OK)
         s = voyage_new(&fine->split.fine, o, &fine->state, &v);
-    v.size = net_size(net);
-    v.joints = net->n;
-    if (s == SW_OK)
+    if (s == SW_OK) {
+        v.size = net_size(net);
+        v.joints = net->n;
         s = voyage_travel(&v, &fine->split, net->m, NULL);
-    if (s == SW_OK || s == SW_NOCONV || s == SW_INDEFINITE) {
-        report(&v, net->n, v.net->n, &fine->state);
-        gather(net, &fine->split, &fine->state, ret);
+        if (s == SW_OK || s == SW_NOCONV || s == SW_INDEFINITE) {
+            report(&v, net->n, v.net->n, &fine->state);
+            gather(net, &fine->split, &fine->state, ret);
+        }
     }
     if (v.net)
         voyage_end(&v);

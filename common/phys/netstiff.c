@@ -154,6 +154,7 @@ static enum status stand_still(const struct net *net, const struct net_state *s,
                                int k, struct stand *g)
 {
     enum status status;
+    int bed;
 
     *g = (struct stand){.net = *net, .s = s};
     g->net.node = mem_copy(net->node, sizeof *net->node * (size_t)net->n);
@@ -169,10 +170,11 @@ static enum status stand_still(const struct net *net, const struct net_state *s,
     g->w.reference = net_reference(net);
     g->w.hard = s->hard;
     g->w.over = OVER_EXACT;
-    if (s->hard > 0)
+    bed = s->hard > 0 && g->w.lean && g->w.push; /* where there is one w has room for both */
+    if (bed)
         memcpy(g->w.lean, s->push, sizeof *s->push * (size_t)net->n);
     net_evaluate(&g->net, s->x, s->t, &g->w);
-    for (int i = 0; i < net->n && s->hard > 0; i++)
+    for (int i = 0; i < net->n && bed; i++)
         if (g->w.push[i] > 0)
             net_add_bed(&g->net, s->x, i, FIRM * s->hard, &g->w);
     net_assemble(&g->net, &g->w);

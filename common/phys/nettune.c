@@ -107,6 +107,7 @@ static enum status step_on(const struct tuning *q, double *most, struct net_stat
         return SW_NOCONV;
     for (int i = 0; i < q->k; i++)
         factor = fmin(factor, FAR * q->L0[i] / fabs(q->step[i]));
+    /* NOLINTNEXTLINE(cert-flp30-c): trial counts the rounds */
     for (int trial = 0; trial < TRIALS && status == SW_OK; trial++, factor /= 2) {
         struct net_state now;
         double left = INFINITY;

@@ -141,7 +141,7 @@ enum status twist_solve(const struct twist *t, struct frame_work *w, double *x)
     size_t n = (size_t)w->unknowns;
     enum status s = sparse_solve(&w->K, 1, x);
 
-    if (s != SW_OK || m == 0)
+    if (s != SW_OK || t->n < 1)
         return s;
     memcpy(A, t->A, (size_t)(m * m) * sizeof *A);
     for (int k = 0; k < t->n; k++)

@@ -213,8 +213,10 @@ char **csv_copy(const struct csv *c)
         return NULL;
     at = (char *)(ret + c->n);
     for (int i = 0; i < c->n; i++) {
-        ret[i] = strcpy(at, c->cell[i]);
-        at += strlen(at) + 1;
+        size_t size = strlen(c->cell[i]) + 1;
+
+        ret[i] = memcpy(at, c->cell[i], size);
+        at += size;
     }
     return ret;
 }

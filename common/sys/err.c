@@ -21,11 +21,6 @@ enum status fail(struct why *w, enum status s, const char *format, ...)
     return s;
 }
 
-enum status fail_plain(struct why *w, enum status s)
-{
-    return fail(w, s, "%s", status_text(s));
-}
-
 void err_tool(const char *name)
 {
     const char *slash = strrchr(name, '/');

@@ -236,10 +236,11 @@ enum status ini_set(struct ini *ini, const char *assignment, struct why *why)
     char copy[INI_LINE_BYTES + 1];
     char *equals, *dot, *section, *key, *value;
     struct ini_entry *e;
+    size_t length = strlen(assignment);
 
-    if (strlen(assignment) > INI_LINE_BYTES)
+    if (length > INI_LINE_BYTES)
         return fail(why, SW_USAGE, "--set: longer than %d bytes", INI_LINE_BYTES);
-    strcpy(copy, assignment);
+    memcpy(copy, assignment, length + 1);
     equals = strchr(copy, '=');
     if (equals)
         *equals = '\0';

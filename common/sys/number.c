@@ -217,8 +217,11 @@ size_t number_print(double x, char ret[NUMBER_SIZE])
     int k;
 
     if (!isfinite(x) || x == 0) {
-        strcpy(ret, x == 0 ? "0" : isnan(x) ? "nan" : x > 0 ? "inf" : "-inf");
-        return strlen(ret);
+        const char *word = x == 0 ? "0" : isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
+        size_t length = strlen(word);
+
+        memcpy(ret, word, length + 1);
+        return length;
     }
     if (x < 0)
         *to++ = '-';

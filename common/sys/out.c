@@ -88,9 +88,9 @@ static enum status open_part(struct out *o, int resumed, struct why *why)
 {
     char part[PATH_MAX];
     struct stat st;
-    int fd;
+    int fd, length = snprintf(part, sizeof part, "%s.part", o->path);
 
-    if (snprintf(part, sizeof part, "%s.part", o->path) >= (int)sizeof part)
+    if (length >= (int)sizeof part)
         return fail(why, SW_WRITE, "%s: the path is too long", o->name);
     if (stat(part, &st) == 0 && in_was_read(&st))
         return fail(why, SW_USAGE, "%s: is an input of this run", part);
@@ -103,7 +103,7 @@ static enum status open_part(struct out *o, int resumed, struct why *why)
         o->slot = -1;
         return fail(why, SW_WRITE, "%s: too many files are open", o->name);
     }
-    strcpy(unfinished[o->slot], part);
+    memcpy(unfinished[o->slot], part, (size_t)length + 1);
     in_use[o->slot] = 1;
     /* A file that was here is no file of this run; what cannot be removed is told of. */
     fd = !resumed && unlink(part) != 0 && errno != ENOENT

@@ -90,8 +90,13 @@ sub submit
     $earlier =~ /\A\d*\z/ # a shell will read it
         or fail("$job/submitted: '$earlier': expected the number of an array");
     if ($earlier ne '') { # an array that is over is unknown to squeue, or has no lines
-        my $lines = `squeue --noheader --jobs=$earlier 2>/dev/null`;
-        fail("the array $earlier is still with Slurm; nothing is submitted") if $lines =~ /\S/;
+        my $lines = `squeue --noheader --format=%F --jobs=$earlier 2>&1`;
+        fail("the array $earlier is still with Slurm; nothing is submitted")
+            if $lines =~ /^\s*$earlier\s*$/m;
+        $? == 0 || $lines =~ /Invalid job id/
+            or fail("squeue does not tell whether the array $earlier is over; " .
+                'nothing is submitted: ' . $lines =~ s/\s+/ /gr);
+        unlink grep { /\.part/ } glob_done($job); # of tasks that were killed as they wrote
     }
     write_whole("$opt{d}/study.sbatch", sbatch_file($job, $all));
     open my $sbatch, '-|', 'sbatch', '--parsable', "$opt{d}/study.sbatch" or fail("sbatch: $!");

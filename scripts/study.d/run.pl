@@ -209,13 +209,14 @@ sub at_host
             die "stopped by SIG$signal\n";
         };
     }
+    my $chunk = $k;
     my $done = eval {
         if ($mode eq '--run') {
             run_chunk($job, $k);
         } else {
             my $count = open_pack("$job/pack")->{count};
-            for (my $c = $k; $c <= $count; $c += $more) {
-                run_chunk($job, $c);
+            for (; $chunk <= $count; $chunk += $more) {
+                run_chunk($job, $chunk);
                 File::Path::remove_tree($scratch), $scratch = undef if $scratch;
             }
         }
@@ -226,7 +227,7 @@ sub at_host
     File::Path::remove_tree($scratch) if defined $scratch && -d $scratch;
     return if $done;
     require Sys::Hostname;
-    print STDERR "$me: chunk $k at ${\ Sys::Hostname::hostname()}: $why";
+    print STDERR "$me: chunk $chunk at ${\ Sys::Hostname::hostname()}: $why";
     exit 1;
 }
 

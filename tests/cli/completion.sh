@@ -72,6 +72,91 @@ gives 'the tool of a study' 'seilwerk-probe' study -d dir --table x.csv seilwerk
 gives 'its options are its own' '' study -d dir catenary --s
 gives 'before it, those of study' 'compopt +o default --slurm --slurm-option' study -d dir --sl
 
+# The same typed into the shells themselves, each at a terminal of its own.  A key inserts all that
+# completes the line, and takes it down: one line of answers for each line typed.
+cat >begin.bash <<'END'
+PS1='' HISTFILE=''
+for f in *.bash; do [ "$f" = begin.bash ] || [ "$f" = drive.bash ] || . "./$f"; done
+answer() { printf '%s\n' "$READLINE_LINE" >>answers; READLINE_LINE='' READLINE_POINT=0; }
+bind '"\C-xc": insert-completions'
+bind -x '"\C-xa": answer'
+bind '"\C-t": "\C-xc\C-xa"'
+echo ready >>answers
+END
+cat >begin.zsh <<'END'
+PROMPT=
+fpath=("$PWD" $fpath)
+autoload -Uz compinit
+compinit -u -D
+every() { compstate[insert]=all; }
+answer()
+{
+    comppostfuncs=(every)
+    zle complete-word
+    print -r -- "$BUFFER" >>answers
+    BUFFER=
+}
+zle -N answer
+bindkey '^T' answer
+echo ready >>answers
+END
+cat >typed <<'END'
+x-catenary --o|--options
+x-catenary --s|--set --stiffness --summary
+x-modal --solver d|dense
+x-modal --solver=d|--solver=dense
+x-diffverf --set damper.|damper.coefficient= damper.direction= damper.position
+x-sling --require |marginal stable unstable
+x-modal --modes |
+x-catenary my|my\ case.ini
+x-diffverf --field my|my\ case.ini
+x-modal -d |play
+x-modal -- --s|--s
+x-modal case.ini --vers|--version
+x-study -d dir --table x.csv seilwerk-pro|seilwerk-probe
+x-study -d dir --sl|--slurm --slurm-option
+END
+touch 'my case.ini'
+# answered N: at most five seconds are waited for N answers.
+answered()
+{
+    for _ in $(seq 250); do
+        [ "$(wc -l <answers)" -lt "$1" ] || return 0
+        sleep 0.02
+    done
+    return 1
+}
+# type_into SHELL COMMAND: its answer to each line, without the mark that may follow it.
+type_into()
+{
+    : >answers
+    {
+        echo ". ./begin.$1"
+        answered 1 && n=1 && while IFS='|' read -r line _; do
+            printf '%s\024' "$line"
+            n=$((n + 1))
+            answered $n || break
+        done <typed
+        echo exit
+    } | TERM=vt100 INPUTRC=/dev/null timeout 60 script -qc "$2" /dev/null >screen
+    sed 's/[ =/]*$//' answers >given
+    n=1
+    while IFS='|' read -r line wanted; do
+        n=$((n + 1))
+        wanted=$(printf '%s\n' "${line% *} $wanted" | sed 's/[ =/]*$//')
+        got=$(sed -n ${n}p given)
+        [ "$got" = "$wanted" ] || printf '# %s\n' "$got"
+        [ "$got" = "$wanted" ]
+        ok $? "typed into $1: $line"
+    done <typed
+}
+if ! command -v script >/dev/null; then
+    skip 'no script, which gives a shell a terminal'
+else
+    type_into bash 'bash --norc --noprofile -i'
+    if command -v zsh >/dev/null; then type_into zsh 'zsh -f -i'; else skip 'no zsh'; fi
+fi
+
 runs 2 'no shell' "$make" fish modal <modal.options
 says "'fish': expected bash or zsh" 'says which'
 runs 2 'a name that is code' "$make" bash 'a;b'

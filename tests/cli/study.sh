@@ -390,7 +390,9 @@ echo '17;cluster'
 END
 cat >fake/squeue <<'END'
 #!/bin/sh
-[ "$*" = '--noheader --jobs=17' ] && cat "$LOGFILE.queue"
+[ "$*" = '--noheader --format=%F --jobs=17' ] || exit 1
+[ ! -e "$LOGFILE.refusal" ] || { cat "$LOGFILE.refusal" >&2; exit 1; }
+cat "$LOGFILE.queue"
 END
 chmod +x fake/*
 PATH=$scratch/fake:$PATH
@@ -401,11 +403,18 @@ runs 0 'submitted' slurm --submit
 says 'submitted as job 17' 'says the number of the job'
 [ "$(sort -n moody.log | tr '\n' ' ')" = '1 2 3 4 9 10 21 ' ]
 ok $? 'each task computes its chunks'
-echo '17_3 RUNNING' >moody.log.queue
+printf '17\n17\n' >moody.log.queue
 runs 1 'while the array is with Slurm' slurm --submit
 says 'the array 17 is still with Slurm' 'nothing is submitted'
 says '7 done, 14 not yet computed' 'what is there is collected'
 : >moody.log.queue
+echo 'slurm_load_jobs error: Unable to contact slurm controller' >moody.log.refusal
+runs 1 'while squeue cannot tell' slurm --submit
+says 'squeue does not tell whether the array 17 is over' 'nothing is submitted'
+says 'Unable to contact slurm controller' 'says why'
+echo 'slurm_load_jobs error: Invalid job id specified' >moody.log.refusal # long over
+TMPDIR=none runs 1 'a task without room' sh -c "exec perl \"dir 'x'\"/job-*/run --task 1 2"
+says 'chunk 3 at ' 'names its chunk'
 slurm --slurm 2>/dev/null | grep '^#SBATCH --array=' >arrays
 echo '#SBATCH --array=3-4,6-10' >wanted
 same wanted arrays 'the next file has the tasks that are left'

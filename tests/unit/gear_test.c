@@ -67,7 +67,7 @@ static void differences(const struct energy *e, const double *q, double *ret_fir
                         double *ret_second)
 {
     const double t = 2e-3;
-    double d[3], dd[2], middle = energy_at(e, q, 0);
+    double d[3], dd[2] = {0}, middle = energy_at(e, q, 0);
 
     for (int i = 0; i < 3; i++) {
         double plus = energy_at(e, q, t * (i + 1)), minus = energy_at(e, q, -t * (i + 1));
@@ -180,7 +180,7 @@ static void touching(void **state)
     struct linkage l = inclined;
     struct gear s;
     struct freedom f;
-    double before[3], after[3];
+    double before[3] = {0}, after[3] = {0};
     (void)state;
 
     l.edges = 1;

@@ -78,7 +78,7 @@ static void against_the_model(void **state)
         struct model m;
         struct line s;
         struct modes p;
-        double in[3], closed[3];
+        double in[3] = {0}, closed[3];
         int n = 0;
 
         assert_int_equal(line_solve(row[i].cable, &s), SW_OK);

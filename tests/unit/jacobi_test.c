@@ -18,7 +18,7 @@ static void random_symmetric(uint64_t *seed, int n, double *A)
 /* B^T B + n I/10. */
 static void random_definite(uint64_t *seed, int n, double *A)
 {
-    double B[MOST * MOST];
+    double B[MOST * MOST] = {0};
 
     for (int i = 0; i < n * n; i++)
         B[i] = uniform_in(seed, -1, 1);
@@ -58,8 +58,8 @@ static void put_back(void **state)
     (void)state;
 
     for (int turn = 0; turn < 200; turn++) {
-        double A[MOST * MOST], B[MOST * MOST], M[MOST * MOST], C[MOST * MOST], X[MOST * MOST];
-        double lambda[MOST];
+        double A[MOST * MOST], B[MOST * MOST], M[MOST * MOST] = {0}, C[MOST * MOST];
+        double X[MOST * MOST], lambda[MOST];
         int n = 1 + turn % MOST;
 
         random_symmetric(&seed, n, A);

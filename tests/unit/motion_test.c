@@ -13,7 +13,7 @@ static void derivatives_by_differences(void **state)
     (void)state;
 
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
-        double u[3][6], v[3][6], a[6], d = 1e-5;
+        double u[3][6], v[3][6], a[6] = {0}, d = 1e-5;
 
         for (int i = 0; i < 3; i++)
             motion_sum(two, 2, at[k] + (i - 1) * d, u[i], v[i], i == 1 ? a : NULL);

@@ -38,7 +38,7 @@ static void toggle(void **state)
  * the same answer. */
 static void few_steps(void **state)
 {
-    struct net_state whole;
+    struct net_state whole = {.x = NULL};
     int first = -1;
     (void)state;
 

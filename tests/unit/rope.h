@@ -49,6 +49,7 @@ struct hand {
 
 static inline struct parametric *hand_begin(int s, struct hand *h)
 {
+    // cppcheck-suppress ctuuninitvar  // a place in it, which is filled here
     double *at = h->number;
 
     *h = (struct hand){.number = {0}};

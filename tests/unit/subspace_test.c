@@ -60,7 +60,7 @@ static void grids(void **state)
     for (int t = 0; t < 4; t++) {
         int n = size[t][0], m = size[t][1], k = size[t][2];
         struct sparse K;
-        double *M, *x, lambda[12], wanted[144];
+        double *M, *x, lambda[12], wanted[144] = {0};
 
         new_grid(n, m, &K, &M);
         x = mem_doubles((size_t)(n * m * k));
