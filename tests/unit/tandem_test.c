@@ -129,6 +129,61 @@ static void pendulum(void **state)
         near_rel(up.force[k], 2452.5 * sqrt(49) / 6, 1e-12);
 }
 
+/* Without moments of inertia the load is a box of the lifting base, as high as z or a quarter of
+ * the base, whichever is more: here 6 x 4 x 2 and 6 x 4 x 1.5 m, m (b^2 + c^2)/3 in halves. */
+static void pendulum_of_a_box(void **state)
+{
+    (void)state;
+
+    for (int i = 0; i < 2; i++) {
+        double z = i ? 0.5 : 1, half = i ? 0.75 : 1, d = 6 - z;
+        struct tandem t = {.hooks = 1,
+                           .slings = 4,
+                           .v = 6,
+                           .z = z,
+                           .base_half = 3,
+                           .base_cross = 2,
+                           .m_load = 1000,
+                           .g = 9.81};
+        struct gear s = suspended_tandem(&t);
+        struct hang up = hung(&s, HANG_DOWN);
+        struct sway m = swaying(&s, &up);
+
+        assert_int_equal(m.n, 2);
+        near_rel(m.omega2[0], 9.81 * d / (d * d + (9 + half * half) / 3), 1e-12);
+        near_rel(m.omega2[1], 9.81 * d / (d * d + (4 + half * half) / 3), 1e-12);
+    }
+}
+
+/* A ring without mass in a row between two equal loads counts as 1e-6 of one of them: it swings up
+ * and down between its slings, which the loads do not feel. */
+static void ring_without_mass(void **state)
+{
+    const double none[3][3] = {{0}}, EA = 1e6, mass = 1000, W = mass * 9.81;
+    struct gear s = {.g = 9.81};
+    int from = gear_add_point(&s, GEAR_HOOK, 0, 0, 0);
+    struct hang h;
+    struct sway m;
+    double most = 0;
+    (void)state;
+
+    for (int b = 0; b < 3; b++) {
+        double z = -5.0 * (b + 1), T = b == 0 ? 2 * W : W;
+        int to;
+
+        gear_add_body(&s, b == 1 ? 0 : mass, (double[3]){0, 0, z}, none);
+        to = gear_add_point(&s, b, 0, 0, z);
+        gear_tighten(&s, gear_add_sling(&s, from, to, 0, EA), T / (EA + T));
+        from = to;
+    }
+    h = hung(&s, HANG_NEAR);
+    m = swaying(&s, &h);
+    for (int k = 0; k < m.n; k++)
+        if (m.body[k] == 1 && m.kind[k] == HEAVE)
+            most = m.omega2[k];
+    near_rel(most, 2 * (EA + W) / 5 / (1e-6 * mass), 1e-5);
+}
+
 /* A load on four vertical slings of its own hooks at (-+a, -+c), centre of gravity at (x, y) off
  * the middle, z below the points. */
 static struct gear four_hooks(double a, double c, double x, double y, double EA)
@@ -329,6 +384,7 @@ static void refusals(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(case_1_2_5), cmocka_unit_test(elastic_formulas),
-          cmocka_unit_test(pendulum), cmocka_unit_test(four_share), cmocka_unit_test(three_carry),
+          cmocka_unit_test(pendulum), cmocka_unit_test(pendulum_of_a_box),
+          cmocka_unit_test(ring_without_mass), cmocka_unit_test(four_share), cmocka_unit_test(three_carry),
           cmocka_unit_test(words), cmocka_unit_test(as_in_the_plane),
           cmocka_unit_test(edges_in_space), cmocka_unit_test(refusals))
