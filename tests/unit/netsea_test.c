@@ -122,6 +122,71 @@ static void chain_in_current(void **state)
         }
 }
 
+/* Along what lies, two points are as far apart as the tension between them stretches it; of what
+ * hangs, a little less, round its bend. */
+static void points_on_the_bed(void **state)
+{
+    (void)state;
+
+    for (int k = 0; k < 4; k++) {
+        struct rope_point point[200];
+        struct one_chain c;
+        struct net_state s;
+        int n, lying = 0;
+
+        one_chain(&c, 0, k % 2 ? 0.3 : 0, 0);
+        if (k / 2) { /* from the fairlead to the anchor */
+            c.rope[0].a = 1;
+            c.rope[0].b = 0;
+        }
+        s = solve(&c.net, &exact);
+        n = net_points(&c.net, &s, 0, point);
+        for (int i = 1; i < n; i++) {
+            const struct rope_point *p = &point[i - 1], *q = &point[i];
+            double z = s.x[3 * c.rope[0].a + 2], l = q->s - p->s, T = size(p->t), U = size(q->t);
+            const double d[3] = {q->x[0] - p->x[0], q->x[1] - p->x[1], q->x[2] - p->x[2]};
+
+            below(size(d), l * (1 + fmax(T, U) / 1.674e9) * (1 + 1e-12));
+            assert_true(size(d) > 0.99 * l);
+            if (z + p->x[2] < -50 + 1e-9 && z + q->x[2] < -50 + 1e-9) {
+                near_rel(size(d), l * (1 + (T + U) / 2 / 1.674e9), 1e-12);
+                lying++;
+            }
+        }
+        assert_true(lying >= 4);
+        net_state_free(&s);
+    }
+}
+
+/* A weight on a rope that would hang below a slope rests on it, as low as the rope lets it: below
+ * the foot of its upper end, by the rope's length in the plane. */
+static void weight_on_a_slope(void **state)
+{
+    const double L = 40, m = 0.3, steep = hypot(1, m), over = 30 / steep;
+    (void)state;
+
+    for (int across = 0; across < 2; across++) {
+        struct net_node node[2] = {at(100, 0, 0), loose(0, 0, -5e4)};
+        struct net_rope part[1] = {rope(0, 1, L, 1e10, 0, 0)};
+        struct sea sea = {.bed = {.kind = BED_PLANE, .level = -60, .slope = {m, 0}}};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &sea};
+        double down = sqrt(L * L - over * over) / steep;
+        struct net_state s;
+
+        if (across) {
+            node[0] = at(0, 100, 0);
+            sea.bed.slope[0] = 0;
+            sea.bed.slope[1] = m;
+        }
+        s = solve(&net, &exact);
+        near_abs(s.x[3 + across], 100 + over * m / steep - down, 1e-3);
+        near_abs(s.x[3 + !across], 0, 1e-6);
+        near_abs(s.x[5], -over / steep - m * down, 1e-3);
+        assert_true(s.push[1] > 0);
+        net_state_free(&s);
+    }
+}
+
 /* Stretched length of a chain, as that of the continuous one. */
 static void length_of_chains(void **state)
 {
@@ -587,7 +652,8 @@ static void random_moorings(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(friction_helps_the_anchor),
-          cmocka_unit_test(chain_in_current), cmocka_unit_test(length_of_chains),
+          cmocka_unit_test(chain_in_current), cmocka_unit_test(points_on_the_bed),
+          cmocka_unit_test(weight_on_a_slope), cmocka_unit_test(length_of_chains),
           cmocka_unit_test(hangs_beside_one_that_lies), cmocka_unit_test(two_parts),
           cmocka_unit_test(cross_flow),
           cmocka_unit_test(buoy_in_current), cmocka_unit_test(grid_is_plane),

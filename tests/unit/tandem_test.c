@@ -155,6 +155,24 @@ static void pendulum_of_a_box(void **state)
     }
 }
 
+/* On two slings it has no breadth, and swings across as a double pendulum of the lengths l, d:
+ * the frequencies squared are the roots of g^2 l d - x g [l (d^2 + i) + d l^2] + x^2 l^2 i. */
+static void double_pendulum(void **state)
+{
+    const double g = 9.81, l = 6, d = 1, i = (0 + 1) / 3.0;
+    struct tandem t = {
+        .hooks = 1, .slings = 2, .v = l, .z = -d, .base_half = 3, .m_load = 1000, .g = g};
+    struct gear s = suspended_tandem(&t);
+    struct hang up = hung(&s, HANG_DOWN);
+    struct sway m = swaying(&s, &up);
+    (void)state;
+
+    assert_int_equal(m.n, 3);
+    near_rel(m.omega2[0], g * (l + d) / ((l + d) * (l + d) + (9 + 1) / 3.0), 1e-12);
+    near_rel(m.omega2[1] + m.omega2[2], g * (l * (d * d + i) + d * l * l) / (l * l * i), 1e-12);
+    near_rel(m.omega2[1] * m.omega2[2], g * g * d / (l * i), 1e-12);
+}
+
 /* A ring without mass in a row between two equal loads counts as 1e-6 of one of them: it swings up
  * and down between its slings, which the loads do not feel. */
 static void ring_without_mass(void **state)
@@ -385,6 +403,6 @@ static void refusals(void **state)
 
 TEST_MAIN(cmocka_unit_test(case_1_2_5), cmocka_unit_test(elastic_formulas),
           cmocka_unit_test(pendulum), cmocka_unit_test(pendulum_of_a_box),
-          cmocka_unit_test(ring_without_mass), cmocka_unit_test(four_share), cmocka_unit_test(three_carry),
+          cmocka_unit_test(double_pendulum),           cmocka_unit_test(ring_without_mass), cmocka_unit_test(four_share), cmocka_unit_test(three_carry),
           cmocka_unit_test(words), cmocka_unit_test(as_in_the_plane),
           cmocka_unit_test(edges_in_space), cmocka_unit_test(refusals))
