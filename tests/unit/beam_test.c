@@ -609,8 +609,8 @@ static void hinges_by_differences(void **state)
     }
 }
 
-/* Series for small turns meet the closed forms, at |w| = 0.1: with forces that are guessed far larger
- * than the element's own the stiffness is all turning. */
+/* Series for small turns meet the closed forms, at |w| = 0.1: with forces that are guessed far
+ * larger than the element's own the stiffness is all turning. */
 static void series_meet_closed_forms(void **state)
 {
     struct section s = values();
@@ -686,5 +686,5 @@ TEST_MAIN(cmocka_unit_test(keeps_end_frames), cmocka_unit_test(straight_is_berno
           cmocka_unit_test(natural_state), cmocka_unit_test(straight_load_and_mass),
           cmocka_unit_test(rigid_mass), cmocka_unit_test(section_forces_in_balance),
           cmocka_unit_test(twisted_pieces), cmocka_unit_test(strain_energy_gradient),
-          cmocka_unit_test(hinges_by_differences),
-          cmocka_unit_test(series_meet_closed_forms), cmocka_unit_test(never_loaded))
+          cmocka_unit_test(hinges_by_differences), cmocka_unit_test(series_meet_closed_forms),
+          cmocka_unit_test(never_loaded))

@@ -366,5 +366,6 @@ static void tuned(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(rotations), cmocka_unit_test(stiffness),
-          cmocka_unit_test(stiffness_behind_a_buoy), cmocka_unit_test(own_forces), cmocka_unit_test(turned),
-          cmocka_unit_test(floats), cmocka_unit_test(plumb), cmocka_unit_test(tuned))
+          cmocka_unit_test(stiffness_behind_a_buoy), cmocka_unit_test(own_forces),
+          cmocka_unit_test(turned), cmocka_unit_test(floats), cmocka_unit_test(plumb),
+          cmocka_unit_test(tuned))

@@ -236,8 +236,8 @@ static void hill_agrees(void **state)
     rope_end(&r);
 }
 
-/* A string without weight does not know up: what a vertical motion of its support does to a vertical
- * and a lateral mode, a lateral one does to the lateral and the vertical one. */
+/* A string without weight does not know up: what a vertical motion of its support does to a
+ * vertical and a lateral mode, a lateral one does to the lateral and the vertical one. */
 static void up_and_aside(void **state)
 {
     const struct cable string = {99.9, 10, 1e8, 0, 100, 0};
@@ -581,7 +581,6 @@ static void memory_runs_out(void **state)
 
 TEST_MAIN(cmocka_unit_test(on_boundaries), cmocka_unit_test(combination),
           cmocka_unit_test(hill_agrees), cmocka_unit_test(up_and_aside),
-          cmocka_unit_test(quadratic_boundaries),
-          cmocka_unit_test(groups), cmocka_unit_test(published_points), cmocka_unit_test(traced),
-          cmocka_unit_test(answers), cmocka_unit_test(answers_undamped),
-          cmocka_unit_test(memory_runs_out))
+          cmocka_unit_test(quadratic_boundaries), cmocka_unit_test(groups),
+          cmocka_unit_test(published_points), cmocka_unit_test(traced), cmocka_unit_test(answers),
+          cmocka_unit_test(answers_undamped), cmocka_unit_test(memory_runs_out))

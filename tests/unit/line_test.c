@@ -194,8 +194,8 @@ static void stiffness_of_the_catenary(void **state)
     }
 }
 
-/* Level cables from taut to slack: dH/dl = 1/[L0/EA + (2/w)(asinh a - a/sqrt(1 + a^2))], a = W/(2 H),
- * in long double, where the difference costs a digit or two. */
+/* Level cables from taut to slack: dH/dl = 1/[L0/EA + (2/w)(asinh a - a/sqrt(1 + a^2))], a = W/(2
+ * H), in long double, where the difference costs a digit or two. */
 static void stiffness_to_the_last_digits(void **state)
 {
     (void)state;

@@ -655,7 +655,7 @@ TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(friction_help
           cmocka_unit_test(chain_in_current), cmocka_unit_test(points_on_the_bed),
           cmocka_unit_test(weight_on_a_slope), cmocka_unit_test(length_of_chains),
           cmocka_unit_test(hangs_beside_one_that_lies), cmocka_unit_test(two_parts),
-          cmocka_unit_test(cross_flow),
-          cmocka_unit_test(buoy_in_current), cmocka_unit_test(grid_is_plane),
-          cmocka_unit_test(ridge), cmocka_unit_test(stiffness), cmocka_unit_test(clump_on_bed),
-          cmocka_unit_test(extremes), cmocka_unit_test(random_moorings))
+          cmocka_unit_test(cross_flow), cmocka_unit_test(buoy_in_current),
+          cmocka_unit_test(grid_is_plane), cmocka_unit_test(ridge), cmocka_unit_test(stiffness),
+          cmocka_unit_test(clump_on_bed), cmocka_unit_test(extremes),
+          cmocka_unit_test(random_moorings))

@@ -178,5 +178,4 @@ static void refusals(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(published), cmocka_unit_test(any_pair), cmocka_unit_test(elastic),
-          cmocka_unit_test(critical),
-          cmocka_unit_test(refusals))
+          cmocka_unit_test(critical), cmocka_unit_test(refusals))

@@ -114,9 +114,9 @@ static void change(void **state)
             assert_int_equal(bolotin_change(&p, Omega, period, harmonics, b, n), SW_OK);
             m = 0;
             if (harmonics > 2)
-                assert_int_equal(
-                    bolotin_solve(&p, Omega, period, harmonics - 2, INFINITY, coarse, 100, &m),
-                    SW_OK);
+                assert_int_equal(bolotin_solve(&p, Omega, period, harmonics - 2, INFINITY, coarse,
+                                               100, &m),
+                                 SW_OK);
             for (int i = 0; i < n; i++) {
                 double least = NAN;
 
@@ -265,8 +265,10 @@ static void planes(void **state)
 static enum status begin_steady(void *context)
 {
     static const double half = 0.5;
-    const struct steady_options o = {
-        .tolerance = 1e-4, .periods = 20, .n_probes = 1, .probe = &half};
+    const struct steady_options o = {.tolerance = 1e-4,
+                                     .periods = 20,
+                                     .n_probes = 1,
+                                     .probe = &half};
     struct steady s;
     enum status status = steady_new(context, &o, &s);
 
@@ -291,6 +293,6 @@ static void steady_states(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(overdamped), cmocka_unit_test(resonance),
-          cmocka_unit_test(forced_string), cmocka_unit_test(change),
-          cmocka_unit_test(requests), cmocka_unit_test(dampers), cmocka_unit_test(swept_force),
-          cmocka_unit_test(planes), cmocka_unit_test(steady_states))
+          cmocka_unit_test(forced_string), cmocka_unit_test(change), cmocka_unit_test(requests),
+          cmocka_unit_test(dampers), cmocka_unit_test(swept_force), cmocka_unit_test(planes),
+          cmocka_unit_test(steady_states))

@@ -367,7 +367,8 @@ static void extremes_of_many_points(void **state)
  * continuous rope keeps its own. */
 static void least_loaded_element(void **state)
 {
-    struct rope r = {.law = {.EA = 1e6}, .L0 = 60, .elements = 6, .q = {0, 0, -20}, .epsilon = 1e-6};
+    struct rope r = {
+        .law = {.EA = 1e6}, .L0 = 60, .elements = 6, .q = {0, 0, -20}, .epsilon = 1e-6};
     double t[3] = {100, 30, -510}, before[3], after[3]; /* falls by 200 a joint: -510 ... 490 */
     (void)state;
 

@@ -155,6 +155,22 @@ static void pendulum_of_a_box(void **state)
     }
 }
 
+/* Under two hooks the box reaches from the outermost lifting point to that of the other side. */
+static void box_under_two_hooks(void **state)
+{
+    struct tandem t = reactor;
+    double a = 3.85, b = 2.95 + 1.5, c = 8.4;
+    struct gear s;
+    (void)state;
+
+    t.slings = 4;
+    t.base_cross = 1.5;
+    s = suspended_tandem(&t);
+    near_rel(s.body[TANDEM_LOAD].inertia[0][0], 1e5 * (b * b + c * c) / 3, 1e-14);
+    near_rel(s.body[TANDEM_LOAD].inertia[1][1], 1e5 * (a * a + c * c) / 3, 1e-14);
+    near_rel(s.body[TANDEM_LOAD].inertia[2][2], 1e5 * (a * a + b * b) / 3, 1e-14);
+}
+
 /* On two slings it has no breadth, and swings across as a double pendulum of the lengths l, d:
  * the frequencies squared are the roots of g^2 l d - x g [l (d^2 + i) + d l^2] + x^2 l^2 i. */
 static void double_pendulum(void **state)
@@ -403,6 +419,7 @@ static void refusals(void **state)
 
 TEST_MAIN(cmocka_unit_test(case_1_2_5), cmocka_unit_test(elastic_formulas),
           cmocka_unit_test(pendulum), cmocka_unit_test(pendulum_of_a_box),
-          cmocka_unit_test(double_pendulum),           cmocka_unit_test(ring_without_mass), cmocka_unit_test(four_share), cmocka_unit_test(three_carry),
-          cmocka_unit_test(words), cmocka_unit_test(as_in_the_plane),
+          cmocka_unit_test(box_under_two_hooks), cmocka_unit_test(double_pendulum),
+          cmocka_unit_test(ring_without_mass), cmocka_unit_test(four_share),
+          cmocka_unit_test(three_carry), cmocka_unit_test(words), cmocka_unit_test(as_in_the_plane),
           cmocka_unit_test(edges_in_space), cmocka_unit_test(refusals))
