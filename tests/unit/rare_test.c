@@ -85,7 +85,7 @@ static void forced_string(void **state)
             double from = (i - N / 2.0) * h, factor = force / (string.mu * Omega * Omega);
             double end = cos(k * string.L0 / 2);
 
-            near_abs(creal(V[6 * i + 4]), factor * (cos(k * from) / end - 1), 1e-5 * size);
+            near_abs(creal(V[6 * i + 4]), factor * (cos(k * from) / end - 1), 1e-4 * size);
             near_abs(creal(V[6 * i + 5]), -factor * k * sin(k * from) / end, 2e-3 * size * k);
             near_abs(cabs(V[6 * i + 2]) + fabs(cimag(V[6 * i + 4])), 0, 1e-12 * size);
         }
