@@ -254,6 +254,34 @@ static void four_share(void **state)
     }
 }
 
+/* As many slings and points as there is room for, in a row: they carry the load together. */
+static void full_room(void **state)
+{
+    (void)state;
+
+    for (int rigid = 0; rigid < 2; rigid++) {
+        struct gear s = {.g = 9.81};
+        double sum = 0;
+        struct hang h;
+
+        gear_add_body(&s, 1000, (double[3]){0, 0, -6},
+                      (const double[3][3]){{1e3, 0, 0}, {0, 2e3, 0}, {0, 0, 3e3}});
+        for (int k = 0; k < GEAR_SLINGS; k++) {
+            double x = k - (GEAR_SLINGS - 1) / 2.0, y = k % 2 ? 1 : -1;
+            int from = gear_add_point(&s, GEAR_HOOK, x, y, 0);
+
+            gear_add_sling(&s, from, gear_add_point(&s, 0, x, y, -5), 0, rigid ? INFINITY : 1e8);
+        }
+        assert_int_equal(gear_add_point(&s, 0, 0, 0, 0), -1);
+        assert_int_equal(gear_add_sling(&s, 0, 1, 0, INFINITY), -1);
+        h = hung(&s, HANG_DOWN);
+        below(unbalanced(&s, &h), 1e-10);
+        for (int k = 0; k < GEAR_SLINGS; k++)
+            sum += h.force[k];
+        near_rel(sum, 9810, 1e-9);
+    }
+}
+
 /* Far enough out the far corner's sling goes slack and the other three are told by equilibrium:
  * moments about the diagonals. */
 static void three_carry(void **state)
@@ -421,5 +449,6 @@ TEST_MAIN(cmocka_unit_test(case_1_2_5), cmocka_unit_test(elastic_formulas),
           cmocka_unit_test(pendulum), cmocka_unit_test(pendulum_of_a_box),
           cmocka_unit_test(box_under_two_hooks), cmocka_unit_test(double_pendulum),
           cmocka_unit_test(ring_without_mass), cmocka_unit_test(four_share),
-          cmocka_unit_test(three_carry), cmocka_unit_test(words), cmocka_unit_test(as_in_the_plane),
-          cmocka_unit_test(edges_in_space), cmocka_unit_test(refusals))
+          cmocka_unit_test(full_room), cmocka_unit_test(three_carry), cmocka_unit_test(words),
+          cmocka_unit_test(as_in_the_plane), cmocka_unit_test(edges_in_space),
+          cmocka_unit_test(refusals))
