@@ -159,16 +159,19 @@ static void points_on_the_bed(void **state)
 }
 
 /* A weight on a rope that would hang below a slope rests on it, as low as the rope lets it: below
- * the foot of its upper end, by the rope's length in the plane. */
+ * the foot of its upper end, by the rope's length in the plane; even if it hangs but a little too
+ * low. */
 static void weight_on_a_slope(void **state)
 {
-    const double L = 40, m = 0.3, steep = hypot(1, m), over = 30 / steep;
+    const double L = 40, m = 0.3, steep = hypot(1, m);
     (void)state;
 
-    for (int across = 0; across < 2; across++) {
+    for (int k = 0; k < 4; k++) {
+        int across = k % 2;
+        double depth = k / 2 ? 39.8 : 30, over = depth / steep;
         struct net_node node[2] = {at(100, 0, 0), loose(0, 0, -5e4)};
         struct net_rope part[1] = {rope(0, 1, L, 1e10, 0, 0)};
-        struct sea sea = {.bed = {.kind = BED_PLANE, .level = -60, .slope = {m, 0}}};
+        struct sea sea = {.bed = {.kind = BED_PLANE, .level = -depth - 100 * m, .slope = {m, 0}}};
         struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &sea};
         double down = sqrt(L * L - over * over) / steep;
         struct net_state s;

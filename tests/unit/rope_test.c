@@ -336,7 +336,7 @@ static void extremes_of_many_points(void **state)
     (void)state;
 
     for (int k = 0; k < 1000; k++) {
-        double t[3], most, least, at_most = 0, at_least = INFINITY, first, last;
+        double t[3], most, least, at_most = 0, at_least = INFINITY, first = 0, last;
         struct rope r = random_rope(&seed, t);
         double load = sqrt(r.q[0] * r.q[0] + r.q[1] * r.q[1] + r.q[2] * r.q[2]), T = 0;
 
