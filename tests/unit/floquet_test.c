@@ -236,6 +236,28 @@ static void hill_agrees(void **state)
     rope_end(&r);
 }
 
+/* A mode that is excited by itself drags another one along a little: that is no partner. */
+static void dragged_along(void **state)
+{
+    (void)state;
+
+    for (int k = 0; k < 2; k++) {
+        struct hand h;
+        struct parametric *p = hand_begin(2, &h);
+        struct floquet f = {.steps = 0};
+
+        p->omega[k] = 1;
+        p->omega[!k] = 1.7;
+        p->c[0] = p->c[1] = 2e-3;
+        p->psi_c[3 * k] = 3;
+        p->psi_c[1] = p->psi_c[2] = 0.3;
+        onset(p, 2, 1e-4, 1e-2, &f);
+        assert_int_equal(f.crossing, CROSSING_2T);
+        assert_int_equal(f.mode, k);
+        assert_int_equal(f.partner, -1);
+    }
+}
+
 /* A string without weight does not know up: what a vertical motion of its support does to a
  * vertical and a lateral mode, a lateral one does to the lateral and the vertical one. */
 static void up_and_aside(void **state)
@@ -581,6 +603,7 @@ static void memory_runs_out(void **state)
 
 TEST_MAIN(cmocka_unit_test(on_boundaries), cmocka_unit_test(combination),
           cmocka_unit_test(hill_agrees), cmocka_unit_test(up_and_aside),
-          cmocka_unit_test(quadratic_boundaries), cmocka_unit_test(groups),
-          cmocka_unit_test(published_points), cmocka_unit_test(traced), cmocka_unit_test(answers),
-          cmocka_unit_test(answers_undamped), cmocka_unit_test(memory_runs_out))
+          cmocka_unit_test(dragged_along), cmocka_unit_test(quadratic_boundaries),
+          cmocka_unit_test(groups), cmocka_unit_test(published_points), cmocka_unit_test(traced),
+          cmocka_unit_test(answers), cmocka_unit_test(answers_undamped),
+          cmocka_unit_test(memory_runs_out))
