@@ -49,7 +49,7 @@ void load_apply(const struct cable *c, const struct load *load, struct cable *re
     if (size <= 8 * DBL_EPSILON * (mass * c->g + hypot(hypot(p[0], p[2]), load->wind[1])))
         size = 0; /* balanced; the rest is round-off and no direction */
     ret->g = size / mass;
-    if (size == 0 || (p[0] == 0 && p[2] == 0 && p[1] > 0))
+    if (size == 0)
         return;
     for (int i = 0; i < 3; i++)
         p[i] /= size;

@@ -139,7 +139,7 @@ static void continuous_chord(const struct rope *r, const double ta[3], double L,
     const double *q = r->q;
     double w = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]), W = w * L;
     double EA = 1 / (1 / r->law.EA + r->give);
-    double u[3], h[3], v1 = 0, v2, H2 = r->epsilon * r->epsilon, T1, T2, least;
+    double u[3], h[3], v1 = 0, v2, H2 = r->epsilon * r->epsilon, T1, T2;
     double S, rest, P, R, Q, vertical;
 
     for (int i = 0; i < 3; i++) {
@@ -153,8 +153,7 @@ static void continuous_chord(const struct rope *r, const double ta[3], double L,
     }
     T1 = sqrt(H2 + v1 * v1);
     T2 = sqrt(H2 + v2 * v2);
-    least = v1 <= 0 && v2 >= 0 ? sqrt(H2) : fmin(T1, T2);
-    if (W <= NEARLY * least) {
+    if (W <= NEARLY * fmin(T1, T2)) { /* between the ends it is less by a thousandth at most */
         quadrature(r, ta, L, chord, F);
         return;
     }

@@ -609,6 +609,47 @@ static void hinges_by_differences(void **state)
     }
 }
 
+/* Series for small turns meet the closed forms, at |w| = 0.1: with forces that are guessed far
+ * larger than the element's own the stiffness is all turning. */
+static void series_meet_closed_forms(void **state)
+{
+    struct section s = values();
+    uint64_t u = 29;
+    double worst = 0;
+
+    (void)state;
+    for (int k = 0; k < 100; k++) {
+        struct beam b;
+        struct corotate e;
+        double x[2][3], d[3], w[3], guess[6], K[2][144], largest = 0;
+
+        random_beam(&u, &s, &b, x);
+        e = corotate_beam(&b);
+        random_vector(&u, 1, w);
+        for (int i = 0; i < 3; i++)
+            d[i] = x[0][i] - x[1][i];
+        for (int i = 0; i < 6; i++)
+            guess[i] = uniform_in(&u, -1e9, 1e9);
+        for (int side = 0; side < 2; side++) {
+            struct corotated here;
+            double q[2][4];
+
+            vec3_scale((0.1 + (side ? 1e-14 : -1e-14)) / vec3_length(w), w);
+            quat_exp(w, q[0]);
+            vec3_scale(-1, w);
+            quat_exp(w, q[1]);
+            vec3_scale(-1, w);
+            corotate(&e, d, q[0], q[1], NULL, guess, &here, K[side]);
+        }
+        for (int i = 0; i < 144; i++)
+            largest = fmax(largest, fabs(K[0][i]));
+        for (int i = 0; i < 144; i++)
+            worst = fmax(worst, fabs(K[1][i] - K[0][i]) / largest);
+    }
+    print_message("# stiffness jumps by %.2g\n", worst);
+    below(worst, 1e-13);
+}
+
 /* An element that knows no load takes none: its foreseen forces are those without. */
 static void never_loaded(void **state)
 {
@@ -645,5 +686,5 @@ TEST_MAIN(cmocka_unit_test(keeps_end_frames), cmocka_unit_test(straight_is_berno
           cmocka_unit_test(natural_state), cmocka_unit_test(straight_load_and_mass),
           cmocka_unit_test(rigid_mass), cmocka_unit_test(section_forces_in_balance),
           cmocka_unit_test(twisted_pieces), cmocka_unit_test(strain_energy_gradient),
-          cmocka_unit_test(hinges_by_differences),
+          cmocka_unit_test(hinges_by_differences), cmocka_unit_test(series_meet_closed_forms),
           cmocka_unit_test(never_loaded))

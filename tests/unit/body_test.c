@@ -97,15 +97,66 @@ static void floater(struct floater *f, double turned, double friction)
     net_place_body(&f->net, 0);
 }
 
-/* What the lines do to the body about a point fixed in space. */
-static void forces(struct floater *f, const double about[3], double lines[6])
+/* What the lines do to the first body about a point fixed in space. */
+static void forces(struct net *net, const double about[3], double lines[6])
 {
     struct net_state s;
     double own[6];
 
-    assert_int_equal(net_settle(&f->net, &exact, &s), SW_OK);
-    net_body_forces(&f->net, &s, 0, about, lines, own);
+    assert_int_equal(net_settle(net, &exact, &s), SW_OK);
+    net_body_forces(net, &s, 0, about, lines, own);
     net_state_free(&s);
+}
+
+/* The first body moved with a point fixed to it that is at about, and turned round that. */
+static void move_body(struct net *net, const double about[3], const double move[6])
+{
+    struct net_body *p = &net->body[0];
+    double R[9], lever[3], moved[3];
+
+    for (int c = 0; c < 3; c++)
+        lever[c] = p->x[c] - about[c];
+    attitude_turn(move + 3, p->R);
+    attitude_matrix(move + 3, R);
+    mat3_apply(R, lever, moved);
+    for (int c = 0; c < 3; c++)
+        p->x[c] = about[c] + moved[c] + move[c];
+    net_place_body(net, 0);
+}
+
+/* K of the first body, by its k nodes chosen, against differences of the forces: within tolerance
+ * of its largest. */
+static void compare_stiffness(struct net *net, const int *chosen, int k, const double about[3],
+                              double tolerance, double K[36], double most[2])
+{
+    struct net_body first = net->body[0];
+    struct net_state s;
+
+    assert_int_equal(net_settle(net, &exact, &s), SW_OK);
+    assert_int_equal(net_body_stiffness(net, &s, chosen, k, about, K), SW_OK);
+    net_state_free(&s);
+    most[0] = most[1] = 0;
+    for (int i = 0; i < 36; i++)
+        most[(i % 6 >= 3) | (i / 6 >= 3)] = fmax(most[(i % 6 >= 3) | (i / 6 >= 3)], fabs(K[i]));
+    for (int j = 0; j < 6; j++) {
+        double h = j < 3 ? 1e-3 : 1e-5, force[2][6];
+
+        for (int side = 0; side < 2; side++) {
+            double move[6] = {0}, there[3];
+
+            move[j] = side ? h : -h;
+            for (int c = 0; c < 3; c++)
+                there[c] = about[c] + move[c];
+            net->body[0] = first;
+            move_body(net, about, move);
+            forces(net, there, force[side]);
+        }
+        for (int i = 0; i < 6; i++)
+            near_abs(-(force[1][i] - force[0][i]) / (2 * h), K[i + 6 * j],
+                     tolerance * most[i >= 3 || j >= 3]);
+    }
+    net->body[0] = first;
+    net_place_body(net, 0);
 }
 
 /* 6 x 6 about any point, condensed on the free nodes, against differences of the forces; dead loads
@@ -119,58 +170,92 @@ static void stiffness(void **state)
 
     for (int rubs = 0; rubs < 2; rubs++) {
         struct floater f;
-        struct net_state s;
-        double K[36], most[2] = {0, 0}, start[6];
+        double K[36], most[2];
 
         floater(&f, 0.3, rubs ? 0.6 : 0);
         for (int i = 0; i < LINES; i++)
             chosen[i] = 3 * i + 2;
-        assert_int_equal(net_settle(&f.net, &exact, &s), SW_OK);
-        assert_int_equal(net_body_stiffness(&f.net, &s, chosen, LINES, about, K), SW_OK);
-        net_state_free(&s);
-        forces(&f, about, start);
-        for (int i = 0; i < 36; i++)
-            most[(i % 6 >= 3) | (i / 6 >= 3)] = fmax(most[(i % 6 >= 3) | (i / 6 >= 3)], fabs(K[i]));
-        for (int j = 0; j < 6; j++) {
-            double h = j < 3 ? 1e-3 : 1e-5, force[2][6];
-            struct net_body keep = f.body[0];
-
-            for (int side = 0; side < 2; side++) {
-                double move[6] = {0}, lever[3], moved[3];
-
-                move[j] = side ? h : -h;
-                f.body[0] = keep;
-                attitude_turn(move + 3, f.body[0].R);
-                for (int c = 0; c < 3; c++)
-                    lever[c] = keep.x[c] - about[c];
-                {
-                    double R[9];
-
-                    attitude_matrix(move + 3, R);
-                    mat3_apply(R, lever, moved);
-                }
-                for (int c = 0; c < 3; c++)
-                    f.body[0].x[c] = about[c] + moved[c] + move[c];
-                net_place_body(&f.net, 0);
-                {
-                    const double there[3] = {about[0] + move[0], about[1] + move[1],
-                                             about[2] + move[2]};
-
-                    forces(&f, there, force[side]);
-                }
-            }
-            f.body[0] = keep;
-            net_place_body(&f.net, 0);
-            for (int i = 0; i < 6; i++)
-                near_abs(-(force[1][i] - force[0][i]) / (2 * h), K[i + 6 * j],
-                         1e-5 * most[i >= 3 || j >= 3]);
-        }
+        compare_stiffness(&f.net, chosen, LINES, about, 1e-5, K, most);
         for (int i = 0; i < 3 && !rubs; i++)
             for (int j = 0; j < 3; j++) {
                 near_abs(K[i + 6 * j], K[j + 6 * i], 1e-9 * most[0]);
                 near_abs(K[i + 6 * (3 + j)], K[3 + j + 6 * i], 1e-9 * most[1]);
             }
     }
+}
+
+/* A buoy between an anchor and a held body gives way and turns, with its own weight and buoyancy.
+ */
+static void stiffness_behind_a_buoy(void **state)
+{
+    const double about[3] = {38, 1, 3};
+    const int chosen[1] = {3};
+    struct net_node node[4] = {{.held = 7, .x = {0, 0, -50}},
+                               {.held = 7, .body = 2, .arm = {0.3, 0.1, -1.5}},
+                               {.held = 7, .body = 2, .arm = {1, -0.2, 0.2}},
+                               {.held = 7, .body = 1, .arm = {-5, 0, -1}}};
+    struct net_rope rope[2] = {
+        {.a = 0, .b = 1, .rope = {.law = {.EA = 1e6}, .L0 = 51, .q = {0, 0, -20}}},
+        {.a = 2, .b = 3, .rope = {.law = {.EA = 1e6}, .L0 = 36, .q = {0, 0, -20}}}};
+    struct net_body body[2] = {{.held = 1, .x = {40, 2, 4}, .R = {1, 0, 0, 0, 1, 0, 0, 0, 1}},
+                               {.x = {4, 0, 0},
+                                .R = {1, 0, 0, 0, 1, 0, 0, 0, 1},
+                                .weight = 2e4,
+                                .cg = {0, 0.1, -0.9},
+                                .lift = 3e4,
+                                .area = 2e4,
+                                .cb = {0.2, 0.1, -0.7}}};
+    struct net net = {.n = 4, .m = 2, .node = node, .rope = rope, .bodies = 2, .body = body};
+    double K[36], most[2];
+    (void)state;
+
+    net_place_body(&net, 0);
+    net_place_body(&net, 1);
+    compare_stiffness(&net, chosen, 1, about, 1e-5, K, most);
+}
+
+/* Weight and buoyancy of a body that is turned: at its centres, buoyancy by how deep its own is. */
+static void own_forces(void **state)
+{
+    const double w[3] = {0.4, -0.3, 0.2}, about[3] = {1, 2, 3}, zero[3] = {0, 0, 0};
+    struct floater f;
+    struct net_body *p = f.body;
+    struct net_state s;
+    double lines[6], own[6], g[3], b[3], up, tops;
+    (void)state;
+
+    floater(&f, 0, 0);
+    f.sea.bed.level = -120;
+    attitude_matrix(w, p->R);
+    memcpy(p->x, (const double[]){4, -3, 2}, sizeof p->x);
+    memcpy(p->cg, (const double[]){0.5, -0.2, 1}, sizeof p->cg);
+    memcpy(p->cb, (const double[]){-1, 2, -3}, sizeof p->cb);
+    p->weight = 5e5;
+    p->lift = 3e5;
+    p->area = 1e4;
+    p->level = 6;
+    net_place_body(&f.net, 0);
+    assert_int_equal(net_settle(&f.net, &exact, &s), SW_OK);
+    net_body_forces(&f.net, &s, 0, about, lines, own);
+    mat3_apply(p->R, p->cg, g);
+    mat3_apply(p->R, p->cb, b);
+    for (int c = 0; c < 3; c++) {
+        g[c] += p->x[c] - about[c];
+        b[c] += p->x[c] - about[c];
+    }
+    up = 3e5 + 1e4 * (6 - (b[2] + about[2]));
+    near_abs(own[0], 0, 0);
+    near_abs(own[1], 0, 0);
+    near_rel(own[2], up - 5e5, 1e-12);
+    near_rel(own[3], b[1] * up - g[1] * 5e5, 1e-12); /* r x F of upward forces: (y, -x, 0) F */
+    near_rel(own[4], -b[0] * up + g[0] * 5e5, 1e-12);
+    near_abs(own[5], 0, 0);
+    p->level = -1e3; /* out of the water nothing lifts it, and nothing draws it down */
+    net_body_forces(&f.net, &s, 0, zero, lines, own);
+    near_rel(own[2], -5e5, 0);
+    tops = s.residual[3 * 2 + 2] + s.residual[3 * 5 + 2] + s.residual[3 * 8 + 2];
+    near_rel(lines[2], tops, 1e-13);
+    net_state_free(&s);
 }
 
 /* Turned as a whole about the vertical, forces turn with it. */
@@ -188,8 +273,8 @@ static void turned(void **state)
     g.body[0].x[1] = 4 * sin(1.1);
     net_place_body(&f.net, 0);
     net_place_body(&g.net, 0);
-    forces(&f, zero, a);
-    forces(&g, zero, b);
+    forces(&f.net, zero, a);
+    forces(&g.net, zero, b);
     attitude_matrix(w, R);
     mat3_apply(R, a, F);
     mat3_apply(R, a + 3, F + 3);
@@ -222,7 +307,7 @@ static void floats(void **state)
     net_state_free(&s);
     assert_true(fabs(f.body[0].x[2]) > 1e-3); /* it has moved */
     f.body[0].held = 1;
-    forces(&f, zero, held);
+    forces(&f.net, zero, held);
     for (int i = 0; i < 6; i++)
         near_abs(held[i], lines[i], 2e7 * 1e-8 * (i < 3 ? 1 : 400));
 }
@@ -280,5 +365,7 @@ static void tuned(void **state)
     }
 }
 
-TEST_MAIN(cmocka_unit_test(rotations), cmocka_unit_test(stiffness), cmocka_unit_test(turned),
-          cmocka_unit_test(floats), cmocka_unit_test(plumb), cmocka_unit_test(tuned))
+TEST_MAIN(cmocka_unit_test(rotations), cmocka_unit_test(stiffness),
+          cmocka_unit_test(stiffness_behind_a_buoy), cmocka_unit_test(own_forces),
+          cmocka_unit_test(turned), cmocka_unit_test(floats), cmocka_unit_test(plumb),
+          cmocka_unit_test(tuned))

@@ -94,6 +94,7 @@ static void encloses(void **state)
         draw(type, k % 3 ? 0.02 : 1e-9, &r, &b);
         if (!rigging_box_height(&b, &height, &over_load)) {
             refused++;
+            assert_false(type == RIGGING_SECONDARY && isnan(r.phi)); /* vertical slings: (6) */
             continue;
         }
         if (rigging_complete(&r, &a, &fault) != SW_OK)

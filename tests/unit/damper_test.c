@@ -120,6 +120,26 @@ static void exact_string(void **state)
     }
 }
 
+/* A damper on a string brings one eigenvalue that creeps, as its coefficient grows; no mode of the
+ * string gets it, for all of them go on swinging. */
+static void all_swing(void **state)
+{
+    (void)state;
+
+    for (double x = 0.09; x < 0.5; x += 0.06) {
+        struct damper d = {x, {0, 1, 0}, 0};
+        struct set_up s = begin(&string, 20, 30, &d, 1);
+
+        for (double c = 0.5; c < 100; c *= 1.5) {
+            d.coefficient = c * facts().impedance;
+            assert_int_equal(damper_solve(&s.b, 0, 0, &d), SW_OK);
+            for (int k = 0; k < 30; k++)
+                assert_true(s.b.swing[k] > 0);
+        }
+        end(&s);
+    }
+}
+
 /* zeta/(x/l) = k/(1 + k^2), k = pi n c x/(l sqrt(H m)), with an error of second order in x/l: it
  * falls by four when x is halved.  The best coefficient has k = 1 to first order. */
 static void universal_curve(void **state)
@@ -342,6 +362,7 @@ static void memory_runs_out(void **state)
     model_free(&m);
 }
 
-TEST_MAIN(cmocka_unit_test(exact_string), cmocka_unit_test(universal_curve),
-          cmocka_unit_test(limits), cmocka_unit_test(flexibility), cmocka_unit_test(rayleigh),
-          cmocka_unit_test(several), cmocka_unit_test(direction), cmocka_unit_test(memory_runs_out))
+TEST_MAIN(cmocka_unit_test(exact_string), cmocka_unit_test(all_swing),
+          cmocka_unit_test(universal_curve), cmocka_unit_test(limits),
+          cmocka_unit_test(flexibility), cmocka_unit_test(rayleigh), cmocka_unit_test(several),
+          cmocka_unit_test(direction), cmocka_unit_test(memory_runs_out))

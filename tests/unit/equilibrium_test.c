@@ -176,6 +176,24 @@ static void units(void **state)
         near_abs(V_thin[i], 1000 * V[i], 1e-9 * 1000 * b[4]);
 }
 
+/* Linear theory needs no line between the supports: a string pushed together by more than its
+ * stretch, evenly. */
+static void linear_beyond_slackness(void **state)
+{
+    const struct cable string = {99.9, 10, 1e9, 0, 100, 0};
+    const double b[6] = {0, 0, 0, -1, 0.5, -0.25};
+    static double V[6 * (N + 1)];
+    struct model m;
+    (void)state;
+
+    assert_int_equal(model_new(&string, LAW_HOOKE, N, &m), SW_OK);
+    assert_int_equal(model_equilibrium(&m, 0, b, V), SW_OK);
+    for (int i = 0; i <= N; i++)
+        for (int c = 0; c < 3; c++)
+            near_abs(V[6 * i + 2 * c], b[3 + c] * i / N, 1e-9);
+    model_free(&m);
+}
+
 TEST_MAIN(cmocka_unit_test(taut_cable), cmocka_unit_test(slack_cable), cmocka_unit_test(tight_loop),
           cmocka_unit_test(fewer_terms), cmocka_unit_test(impossible_motion),
-          cmocka_unit_test(units))
+          cmocka_unit_test(linear_beyond_slackness), cmocka_unit_test(units))

@@ -236,6 +236,60 @@ static void hill_agrees(void **state)
     rope_end(&r);
 }
 
+/* A mode that is excited by itself drags another one along a little: that is no partner. */
+static void dragged_along(void **state)
+{
+    (void)state;
+
+    for (int k = 0; k < 2; k++) {
+        struct hand h;
+        struct parametric *p = hand_begin(2, &h);
+        struct floquet f = {.steps = 0};
+
+        p->omega[k] = 1;
+        p->omega[!k] = 1.7;
+        p->c[0] = p->c[1] = 2e-3;
+        p->psi_c[3 * k] = 3;
+        p->psi_c[1] = p->psi_c[2] = 0.3;
+        onset(p, 2, 1e-4, 1e-2, &f);
+        assert_int_equal(f.crossing, CROSSING_2T);
+        assert_int_equal(f.mode, k);
+        assert_int_equal(f.partner, -1);
+    }
+}
+
+/* A string without weight does not know up: what a vertical motion of its support does to a
+ * vertical and a lateral mode, a lateral one does to the lateral and the vertical one. */
+static void up_and_aside(void **state)
+{
+    const struct cable string = {99.9, 10, 1e8, 0, 100, 0};
+    struct parametric p[2];
+    struct rope r;
+    int first;
+    (void)state;
+
+    rope_begin(&string, LAW_HOOKE, 10, 2, 0.1, 1e-3, 1, &r);
+    first = r.p.plane[0] == PART_LATERAL;
+    assert_true(r.p.plane[0] != r.p.plane[1]);
+    r.map.quadratic = 1;
+    r.map.b[3] = 0;
+    for (int aside = 0; aside < 2; aside++) {
+        r.map.b[4] = aside ? 0 : 1;
+        r.map.b[5] = aside ? 1 : 0;
+        assert_int_equal(map_equations(&r.map, 0.8, &p[aside]), SW_OK);
+    }
+    for (int i = 0; i < 4; i++) {
+        near_rel(p[1].mean[i], p[0].mean[3 - i], i % 3 == 0 ? 1e-9 : 0);
+        near_rel(p[1].double_c[i], p[0].double_c[3 - i], i % 3 == 0 ? 1e-9 : 0);
+        near_rel(p[1].double_s[i], p[0].double_s[3 - i], i % 3 == 0 ? 1e-9 : 0);
+    }
+    assert_true(fabs(p[0].double_s[0]) > 1e-3 && p[0].mean[0] != p[0].mean[3]);
+    assert_true(p[0].mean[first ? 3 : 0] > p[0].mean[first ? 0 : 3]); /* more in its own plane */
+    parametric_free(&p[0]);
+    parametric_free(&p[1]);
+    rope_end(&r);
+}
+
 /* The same boundaries with quadratic terms: multipliers are 1 or -1 there. */
 static void quadratic_boundaries(void **state)
 {
@@ -548,7 +602,8 @@ static void memory_runs_out(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(on_boundaries), cmocka_unit_test(combination),
-          cmocka_unit_test(hill_agrees), cmocka_unit_test(quadratic_boundaries),
+          cmocka_unit_test(hill_agrees), cmocka_unit_test(up_and_aside),
+          cmocka_unit_test(dragged_along), cmocka_unit_test(quadratic_boundaries),
           cmocka_unit_test(groups), cmocka_unit_test(published_points), cmocka_unit_test(traced),
           cmocka_unit_test(answers), cmocka_unit_test(answers_undamped),
           cmocka_unit_test(memory_runs_out))

@@ -493,6 +493,30 @@ static void lees_frame(void **state)
     near_abs(limit, 1.855, 0.01); /* published 1.85 to 1.86 by meshes and readings */
 }
 
+/* A clamped column under its load, pi^2/4 EI/L^2: the same place by load steps and by arc length,
+ * though both pass it at first. */
+static void column_by_arc(void **state)
+{
+    double limit[2];
+
+    (void)state;
+    for (int arc = 0; arc < 2; arc++) {
+        struct rod p;
+        struct follow_options o = rod_options(10);
+
+        rod_new(&p, 20, rod_section(1e7, 1, 1, 1), line);
+        rod_load(&p, 20, 1, (double[6]){-4});
+        o.critical = 1;
+        o.arc = arc;
+        assert_int_equal(rod_follow(&p, &o), SW_OK);
+        assert_int_equal(p.w.negative, 0);
+        limit[arc] = 4 * p.path.critical;
+        rod_free(&p);
+    }
+    near_rel(limit[0], PI * PI / 4, 1e-4);
+    near_rel(limit[1], limit[0], 4e-9);
+}
+
 /* A clamped rod twisted at one end loses its stability at M = 8.986819 EI/L: 2 tan-roots. */
 static double critical_moment(int n, double tension, double GJ)
 {
@@ -647,8 +671,8 @@ static void turning_hinges(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(euler_elastica), cmocka_unit_test(buckled_column),
-          cmocka_unit_test(rolled_up), cmocka_unit_test(arc_of_45_degrees),
-          cmocka_unit_test(helical_roll_up), cmocka_unit_test(path_independent),
-          cmocka_unit_test(work_is_energy), cmocka_unit_test(deep_arch),
-          cmocka_unit_test(lees_frame), cmocka_unit_test(twisted_rod),
+          cmocka_unit_test(rolled_up), cmocka_unit_test(column_by_arc),
+          cmocka_unit_test(arc_of_45_degrees), cmocka_unit_test(helical_roll_up),
+          cmocka_unit_test(path_independent), cmocka_unit_test(work_is_energy),
+          cmocka_unit_test(deep_arch), cmocka_unit_test(lees_frame), cmocka_unit_test(twisted_rod),
           cmocka_unit_test(documents_iteration), cmocka_unit_test(turning_hinges))

@@ -239,6 +239,8 @@ static void refusals(void **state)
     REFUSED(bad.bodies = 0);
     REFUSED(bad.body[0].mass = NAN);
     REFUSED(bad.body[0].mass = -1);
+    REFUSED(bad.body[0].mass = bad.body[1].mass = 0);
+    REFUSED(bad.body[0].mass = bad.body[1].mass = 1e308);
     REFUSED(bad.body[0].inertia[1][2] = 1);
     REFUSED(bad.sling[2].length = 0);
     REFUSED(bad.sling[2].length = NAN);

@@ -237,6 +237,8 @@ static void too_many(void **state)
     (void)state;
 
     assert_int_equal(model_new(&pont, LAW_HOOKE, 10, &m), SW_OK);
+    assert_int_equal(modes_lanczos_most(10),
+                     20 - 4); /* 20 lateral ones, of which ARPACK finds 18 */
     assert_int_equal(modes_lowest(&m, modes_lanczos_most(10), SOLVER_LANCZOS, &p), SW_OK);
     modes_free(&p);
     assert_int_equal(modes_lowest(&m, modes_lanczos_most(10) + 1, SOLVER_LANCZOS, &p),

@@ -194,6 +194,25 @@ static void stiffness_of_the_catenary(void **state)
     }
 }
 
+/* Level cables from taut to slack: dH/dl = 1/[L0/EA + (2/w)(asinh a - a/sqrt(1 + a^2))], a = W/(2
+ * H), in long double, where the difference costs a digit or two. */
+static void stiffness_to_the_last_digits(void **state)
+{
+    (void)state;
+    for (double longer = 1e-5; longer < 0.2; longer *= 1.3) {
+        const struct cable c = {100 * (1 + longer), 1, 1e15, 10, 100, 0};
+        struct line s;
+        double K[9];
+        long double a, slope;
+
+        assert_int_equal(line_solve(&c, &s), SW_OK);
+        line_stiffness(&s, K);
+        a = (long double)s.W / (2 * (long double)s.H);
+        slope = 2 * (long double)c.L0 / s.W * (asinhl(a) - a / sqrtl(1 + a * a));
+        near_rel(1 / K[0], (double)(c.L0 / (long double)c.EA + slope), 1e-13);
+    }
+}
+
 static void without_gravity(void **state)
 {
     struct cable c = {100, 1, 1e6, 0, 80, 60.5};
@@ -397,7 +416,8 @@ static void inadmissible_is_refused(void **state)
 TEST_MAIN(cmocka_unit_test(random_cables_close), cmocka_unit_test(soft_cables),
           cmocka_unit_test(published_numbers), cmocka_unit_test(points_of_a109),
           cmocka_unit_test(stiffness_by_differences), cmocka_unit_test(stiffness_across),
-          cmocka_unit_test(stiffness_of_the_catenary), cmocka_unit_test(without_gravity),
+          cmocka_unit_test(stiffness_of_the_catenary),
+          cmocka_unit_test(stiffness_to_the_last_digits), cmocka_unit_test(without_gravity),
           cmocka_unit_test(length_and_balance), cmocka_unit_test(pieces),
           cmocka_unit_test(whole_piece), cmocka_unit_test(below_the_chord),
           cmocka_unit_test(sag_of_taut_cables), cmocka_unit_test(sag_of_the_catenary),

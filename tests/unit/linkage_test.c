@@ -194,6 +194,30 @@ static void elastic(void **state)
     }
 }
 
+/* Slings round the edges of both sides: as long as their ways, less what they give. */
+static void round_edges(void **state)
+{
+    struct linkage l = leaning(0.5, -0.05);
+    (void)state;
+
+    l.stretch_primary = 0.01;
+    l.stretch_secondary = 0.02;
+    {
+        struct gear s = suspended_linkage(&l);
+        struct pose pose[GEAR_BODIES];
+        struct path p;
+
+        gear_drawn(&s, pose);
+        for (int k = 0; k < 4; k++) {
+            int second = k == LINKAGE_SECOND_LEFT || k == LINKAGE_SECOND_RIGHT;
+
+            path_lay(&s, pose, k, &p);
+            assert_int_equal(p.n, second ? 3 : 2);
+            near_rel(s.sling[k].length, p.length * (second ? 0.98 : 0.99), 1e-14);
+        }
+    }
+}
+
 static void refusals(void **state)
 {
     struct linkage good = inclined, bad;
@@ -226,4 +250,4 @@ static void refusals(void **state)
 
 TEST_MAIN(cmocka_unit_test(critical_height), cmocka_unit_test(heights),
           cmocka_unit_test(second_order), cmocka_unit_test(published), cmocka_unit_test(symmetry),
-          cmocka_unit_test(elastic), cmocka_unit_test(refusals))
+          cmocka_unit_test(elastic), cmocka_unit_test(round_edges), cmocka_unit_test(refusals))

@@ -3,6 +3,7 @@
 #include "nets.h"
 #include "phys/network.h"
 #include "phys/sea.h"
+#include "phys/touch.h"
 
 #include <string.h>
 
@@ -62,6 +63,38 @@ static void chain_to_closed_form(void **state)
     }
 }
 
+/* Friction helps the anchor, whichever end of the rope it is, and be it a little above the ground;
+ * the fairlead is none: the forces of touch.h, pulled at the fairlead. */
+static void friction_helps_the_anchor(void **state)
+{
+    static const double above[2] = {0, 2e-4}; /* of 403 m */
+    (void)state;
+
+    for (int k = 0; k < 8; k++) {
+        struct touch_place p = {400, 0, {above[k / 4], 50}};
+        double TA, TB;
+        struct one_chain c;
+        struct touch_rope r;
+        struct touch t;
+
+        one_chain(&c, 0, k % 2 ? 1 : 0.3, 0);
+        c.node[0].x[2] += above[k / 4];
+        r = (struct touch_rope){410, -c.rope[0].rope.q[2], 1.674e9, c.rope[0].friction,
+                                TOUCH_PULLED_B};
+        assert_int_equal(touch_solve(&r, &p, &t), SW_OK);
+        if (k / 2 % 2) {
+            c.rope[0].a = 1;
+            c.rope[0].b = 0;
+            ends_of(&c, &exact, &TB, &TA);
+        } else {
+            ends_of(&c, &exact, &TA, &TB);
+        }
+        near_rel(TA, hypot(t.H[0], t.V[0]), 1e-9);
+        near_rel(TB, hypot(t.H[1], t.V[1]), 1e-9);
+        assert_true(TA < 0.7 * TB); /* it does */
+    }
+}
+
 /* The same chain in a current of 1 m/s over a bed without friction: a leading code's tensions. */
 static void chain_in_current(void **state)
 {
@@ -87,6 +120,151 @@ static void chain_in_current(void **state)
                 for (int end = 0; end < 2; end++)
                     near_rel(found[1][end], found[0][end], 1e-8);
         }
+}
+
+/* Along what lies, two points are as far apart as the tension between them stretches it; of what
+ * hangs, a little less, round its bend. */
+static void points_on_the_bed(void **state)
+{
+    (void)state;
+
+    for (int k = 0; k < 4; k++) {
+        struct rope_point point[200];
+        struct one_chain c;
+        struct net_state s;
+        int n, lying = 0;
+
+        one_chain(&c, 0, k % 2 ? 0.3 : 0, 0);
+        if (k / 2) { /* from the fairlead to the anchor */
+            c.rope[0].a = 1;
+            c.rope[0].b = 0;
+        }
+        s = solve(&c.net, &exact);
+        n = net_points(&c.net, &s, 0, point);
+        for (int i = 1; i < n; i++) {
+            const struct rope_point *p = &point[i - 1], *q = &point[i];
+            double z = s.x[3 * c.rope[0].a + 2], l = q->s - p->s, T = size(p->t), U = size(q->t);
+            const double d[3] = {q->x[0] - p->x[0], q->x[1] - p->x[1], q->x[2] - p->x[2]};
+
+            below(size(d), l * (1 + fmax(T, U) / 1.674e9) * (1 + 1e-12));
+            assert_true(size(d) > 0.99 * l);
+            if (z + p->x[2] < -50 + 1e-9 && z + q->x[2] < -50 + 1e-9) {
+                near_rel(size(d), l * (1 + (T + U) / 2 / 1.674e9), 1e-12);
+                lying++;
+            }
+        }
+        assert_true(lying >= 4);
+        net_state_free(&s);
+    }
+}
+
+/* A weight on a rope that would hang below a slope rests on it, as low as the rope lets it: below
+ * the foot of its upper end, by the rope's length in the plane; even if it hangs but a little too
+ * low. */
+static void weight_on_a_slope(void **state)
+{
+    const double L = 40, m = 0.3, steep = hypot(1, m);
+    (void)state;
+
+    for (int k = 0; k < 4; k++) {
+        int across = k % 2;
+        double depth = k / 2 ? 39.8 : 30, over = depth / steep;
+        struct net_node node[2] = {at(100, 0, 0), loose(0, 0, -5e4)};
+        struct net_rope part[1] = {rope(0, 1, L, 1e10, 0, 0)};
+        struct sea sea = {.bed = {.kind = BED_PLANE, .level = -depth - 100 * m, .slope = {m, 0}}};
+        struct net net = {.n = 2, .m = 1, .node = node, .rope = part, .sea = &sea};
+        double down = sqrt(L * L - over * over) / steep;
+        struct net_state s;
+
+        if (across) {
+            node[0] = at(0, 100, 0);
+            sea.bed.slope[0] = 0;
+            sea.bed.slope[1] = m;
+        }
+        s = solve(&net, &exact);
+        near_abs(s.x[3 + across], 100 + over * m / steep - down, 1e-3);
+        near_abs(s.x[3 + !across], 0, 1e-6);
+        near_abs(s.x[5], -over / steep - m * down, 1e-3);
+        assert_true(s.push[1] > 0);
+        net_state_free(&s);
+    }
+}
+
+/* Stretched length of a chain, as that of the continuous one. */
+static void length_of_chains(void **state)
+{
+    struct net_outline line[2];
+    (void)state;
+
+    for (int k = 0; k < 2; k++) {
+        struct one_chain c;
+        struct net_state s;
+
+        one_chain(&c, k ? 200 : 0, 0.3, 0);
+        s = solve(&c.net, &exact);
+        net_outline(&c.net, &s, 0, &line[k]);
+        net_state_free(&s);
+    }
+    assert_true(line[0].length > 410.1);
+    near_abs(line[1].length, line[0].length, 1e-3);
+    near_abs(line[1].flat, line[0].flat, 410.0 / 200);
+}
+
+/* A rope that hangs clear beside one that lies: its points are ends of its pieces, all of it is as
+ * without a bed; and so is the other, when the bed has gone. */
+static void hangs_beside_one_that_lies(void **state)
+{
+    struct net_node node[3] = {at(400, 0, -50), at(0, 0, -1), at(30, 40, -5)};
+    struct net_rope part[2] = {rope(0, 1, 410, 1.674e9, 3300, 0), rope(1, 2, 52, 1e7, 500, 0)};
+    struct sea sea = {.bed = {.kind = BED_PLANE, .level = -50}};
+    struct net net = {.n = 3, .m = 2, .node = node, .rope = part, .sea = &sea};
+    struct net fresh = net;
+    struct net_state s = solve(&net, &exact), dry;
+    struct net_rope whole[2] = {rope(0, 1, 410, 1.674e9, 3300, 0), rope(1, 2, 52, 1e7, 500, 0)};
+    struct net_outline line[2];
+    struct rope_point point[200];
+    double ta[3], tb[3], a[3], b[3];
+    int n = net_points(&net, &s, 1, point);
+    (void)state;
+
+    fresh.rope = whole;
+    fresh.sea = NULL;
+    dry = solve(&fresh, &exact);
+    net_ends(&net, &s, 1, ta, tb);
+    net_ends(&fresh, &dry, 1, a, b);
+    assert_true(n > 10);
+    for (int k = 0; k < n; k++) {
+        struct rope piece = part[1].rope;
+        double chord[3];
+
+        piece.L0 = point[k].s;
+        piece.epsilon = 1e-9;
+        rope_chord(&piece, a, chord, NULL);
+        for (int c = 0; c < 3; c++) {
+            near_abs(point[k].x[c], chord[c], 1e-8);
+            near_abs(point[k].t[c], a[c] - piece.q[c] * point[k].s, 1e-8 * size(a));
+        }
+        near_rel(point[k].strain, size(point[k].t) / 1e7, 1e-12);
+    }
+    near_rel(point[n - 1].s, 52, 0);
+    for (int c = 0; c < 3; c++) {
+        near_abs(ta[c], a[c], 1e-8 * size(a));
+        near_abs(tb[c], b[c], 1e-8 * size(b));
+    }
+    net_outline(&net, &s, 1, &line[0]);
+    net_outline(&fresh, &dry, 1, &line[1]);
+    near_rel(line[0].most, line[1].most, 1e-8);
+    near_rel(line[0].length, line[1].length, 1e-8);
+    near_rel(line[0].least, line[1].least, 1e-2); /* of its points */
+    near_abs(line[0].lowest, line[1].lowest, 0.05);
+    assert_true(line[1].lowest < -6);
+    net_state_free(&s);
+    net.sea = NULL;
+    s = solve(&net, &exact);
+    for (int i = 0; i < 12; i++)
+        near_abs(s.end[i], dry.end[i], 1e-8 * size(dry.end + 3));
+    net_state_free(&s);
+    net_state_free(&dry);
 }
 
 /* A chain with a polyester rope above it, a free node between: where two codes put it. */
@@ -476,8 +654,11 @@ static void random_moorings(void **state)
     }
 }
 
-TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(chain_in_current),
-          cmocka_unit_test(two_parts), cmocka_unit_test(cross_flow),
-          cmocka_unit_test(buoy_in_current), cmocka_unit_test(grid_is_plane),
-          cmocka_unit_test(ridge), cmocka_unit_test(stiffness), cmocka_unit_test(clump_on_bed),
-          cmocka_unit_test(extremes), cmocka_unit_test(random_moorings))
+TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(friction_helps_the_anchor),
+          cmocka_unit_test(chain_in_current), cmocka_unit_test(points_on_the_bed),
+          cmocka_unit_test(weight_on_a_slope), cmocka_unit_test(length_of_chains),
+          cmocka_unit_test(hangs_beside_one_that_lies), cmocka_unit_test(two_parts),
+          cmocka_unit_test(cross_flow), cmocka_unit_test(buoy_in_current),
+          cmocka_unit_test(grid_is_plane), cmocka_unit_test(ridge), cmocka_unit_test(stiffness),
+          cmocka_unit_test(clump_on_bed), cmocka_unit_test(extremes),
+          cmocka_unit_test(random_moorings))

@@ -354,8 +354,11 @@ static void stopped(int deferred, const int *signals, int n, int wanted)
     pid_t child = fork();
     int status = 0;
 
-    if (child == 0)
+    if (child == 0) {
+        for (int i = 0; i < n; i++)
+            signal(signals[i], SIG_DFL); /* nohup has them ignored */
         be_stopped(deferred, signals, n);
+    }
     assert_int_equal(waitpid(child, &status, 0), child);
     if (WIFEXITED(status))
         print_error("exit status %d\n", WEXITSTATUS(status));

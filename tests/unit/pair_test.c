@@ -104,6 +104,36 @@ static void any_pair(void **state)
     }
 }
 
+/* Elastic slings are as long as they need be to hold the place as drawn. */
+static void elastic(void **state)
+{
+    uint64_t seed = 51;
+    (void)state;
+
+    for (int i = 0; i < 100; i++) {
+        struct pair p = {.end = {random_linkage(&seed), random_linkage(&seed)}, .apart = 20};
+        struct pose drawn[GEAR_BODIES];
+        struct gear s;
+        struct hang h;
+
+        for (int k = 0; k < 2; k++) {
+            p.end[k].m_spreader = fmax(p.end[k].m_spreader, 1e-2 * p.end[k].m_load);
+            p.end[k].stretch_primary = log_uniform(&seed, 1e-3, 0.03);
+            p.end[k].stretch_secondary = log_uniform(&seed, 1e-3, 0.03);
+        }
+        if (i % 3 == 0) { /* a single sling, or two without a spreader */
+            p.end[1].s = 0;
+            p.end[1].phi = i % 2 ? p.end[1].phi : 0;
+        }
+        assert_int_equal(pair_gear(&p, &s), SW_OK);
+        gear_drawn(&s, drawn);
+        assert_int_equal(hang(&s, HANG_NEAR, NULL, -1, &h), SW_OK);
+        for (int b = 0; b < s.bodies; b++)
+            for (int c = 0; c < 3; c++)
+                near_abs(h.pose[b].r[c], drawn[b].r[c], 1e-8 * (20 + fabs(drawn[b].r[2])));
+    }
+}
+
 static double least_of(double z, void *context)
 {
     struct pair p = *(const struct pair *)context;
@@ -147,5 +177,5 @@ static void refusals(void **state)
     assert_int_equal(pair_gear(&bad, &s), SW_ADMISSIBLE);
 }
 
-TEST_MAIN(cmocka_unit_test(published), cmocka_unit_test(any_pair), cmocka_unit_test(critical),
-          cmocka_unit_test(refusals))
+TEST_MAIN(cmocka_unit_test(published), cmocka_unit_test(any_pair), cmocka_unit_test(elastic),
+          cmocka_unit_test(critical), cmocka_unit_test(refusals))

@@ -326,7 +326,69 @@ static void points_are_the_rope(void **state)
     }
 }
 
+/* Tensions from one end to the other, t - q s: the extremes are those of many points, but for what
+ * lies between two of them. */
+static void extremes_of_many_points(void **state)
+{
+    enum { POINTS = 1000 };
+    uint64_t seed = 17;
+    int inside = 0;
+    (void)state;
+
+    for (int k = 0; k < 1000; k++) {
+        double t[3], most, least, at_most = 0, at_least = INFINITY, first = 0, last;
+        struct rope r = random_rope(&seed, t);
+        double load = sqrt(r.q[0] * r.q[0] + r.q[1] * r.q[1] + r.q[2] * r.q[2]), T = 0;
+
+        for (int i = 0; i <= POINTS; i++) {
+            T = 0;
+            for (int c = 0; c < 3; c++)
+                T += pow(t[c] - r.q[c] * r.L0 * i / POINTS, 2);
+            T = sqrt(T);
+            first = i == 0 ? T : first;
+            at_most = fmax(at_most, T);
+            at_least = fmin(at_least, T);
+        }
+        last = T;
+        rope_extremes(&r, t, &most, &least);
+        near_rel(most, at_most, 1e-14);
+        assert_true(least <= at_least * (1 + 1e-14));
+        if (at_least < fmin(first, last)) {
+            near_abs(least, at_least, load * r.L0 / (2 * POINTS));
+            inside++;
+        } else if (least < at_least) {
+            near_abs(least, at_least, load * r.L0 / POINTS);
+        }
+    }
+    assert_true(inside > 100 && inside < 900);
+}
+
+/* The tension that stands for a chain is that of its least loaded element, and its chord stays; a
+ * continuous rope keeps its own. */
+static void least_loaded_element(void **state)
+{
+    struct rope r = {
+        .law = {.EA = 1e6}, .L0 = 60, .elements = 6, .q = {0, 0, -20}, .epsilon = 1e-6};
+    double t[3] = {100, 30, -510}, before[3], after[3]; /* falls by 200 a joint: -510 ... 490 */
+    (void)state;
+
+    rope_chord(&r, t, before, NULL);
+    rope_refer(&r, t);
+    near_abs(t[0], 100, 0);
+    near_abs(t[1], 30, 0);
+    near_abs(t[2], 90, 1e-12);
+    rope_chord(&r, t, after, NULL);
+    for (int c = 0; c < 3; c++)
+        near_abs(after[c], before[c], 1e-12);
+    r.elements = 0;
+    rope_refer(&r, t);
+    near_abs(t[0], 100, 0);
+    near_abs(t[1], 30, 0);
+    near_abs(t[2], 90, 1e-12);
+}
+
 TEST_MAIN(cmocka_unit_test(continuous_is_its_pieces), cmocka_unit_test(line_of_a_cable),
           cmocka_unit_test(flexibility_by_differences), cmocka_unit_test(forms_of_chains),
           cmocka_unit_test(elastic_catenary), cmocka_unit_test(chains_become_continuous),
-          cmocka_unit_test(tables_of_strain), cmocka_unit_test(points_are_the_rope))
+          cmocka_unit_test(tables_of_strain), cmocka_unit_test(points_are_the_rope),
+          cmocka_unit_test(extremes_of_many_points), cmocka_unit_test(least_loaded_element))

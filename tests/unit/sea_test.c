@@ -31,7 +31,9 @@ static void beds(void **state)
 static void currents(void **state)
 {
     const double z[3] = {-50, -20, 0}, u[3] = {0, 1, 2}, v[3] = {0, 0, 1};
-    const struct current c = {3, z, u, v}, uniform_one = {1, z, u + 1, v}, none = {0, z, u, v};
+    const double at[1] = {-50}, one[1] = {1}; /* nothing behind them may be read */
+    const struct current c = {3, z, u, v}, uniform_one = {1, at, one, one}, two = {2, z, u, v},
+                         none = {0, z, u, v};
     double U[3], slope[3];
     (void)state;
 
@@ -47,6 +49,10 @@ static void currents(void **state)
     near_abs(slope[0], 0, 0);
     current_at(&uniform_one, -500, U, slope);
     near_abs(U[0], 1, 0);
+    near_abs(slope[0], 0, 0);
+    current_at(&two, -35, U, slope);
+    near_abs(U[0], 0.5, 1e-15);
+    near_abs(slope[0], 1.0 / 30, 1e-15);
     current_at(&none, -5, U, slope);
     near_abs(U[0] + U[1] + U[2], 0, 0);
 }

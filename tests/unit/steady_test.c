@@ -278,6 +278,56 @@ static void beginnings(void **state)
     model_free(&m);
 }
 
+/* A beat that is the same in each block of 20 periods: of all returns up to 8 that after 2 is the
+ * nearest. */
+static double beat;
+
+static void beating(double t, double phi, double v[3])
+{
+    (void)t;
+    v[1] = cos(phi) + beat * sin(phi * 9 / 20 + 0.4);
+}
+
+/* R_2 is held against the tolerance of A, half of the span: just below and just above it. */
+static void nearly_returning(void **state)
+{
+    struct model m = new_model();
+    (void)state;
+
+    for (int over = 0; over < 2; over++) {
+        struct steady_options o = usual;
+        double change = 0, least = INFINITY, greatest = -INFINITY;
+        struct steady s;
+
+        o.tolerance = 0.01;
+        beat = o.tolerance;
+        for (int turn = 0; turn < 20; turn++) { /* in proportion to it */
+            change = 0;
+            least = INFINITY;
+            greatest = -INFINITY;
+            for (int look = 0; look < 2; look++) {
+                double angle = 0.4 - look * 2 * PI * 9 / 20 * (50 - 37) / 50;
+
+                change = fmax(change, beat * fabs(sin(angle) - sin(angle - 4 * PI * 9 / 20)));
+            }
+            for (int i = 0; i < 20 * STEADY_SAMPLES; i++) {
+                double v[3] = {0};
+
+                beating(0, 2 * PI * i / STEADY_SAMPLES, v);
+                least = fmin(least, v[1]);
+                greatest = fmax(greatest, v[1]);
+            }
+            beat *= (over ? 1.02 : 0.98) * o.tolerance * (greatest - least) / 2 / change;
+        }
+        follow(&m, &o, beating, 200, &s);
+        assert_int_equal(s.kind, over ? STEADY_NONE : STEADY_PERIODIC);
+        assert_int_equal(s.period, over ? 0 : 2);
+        near_rel(s.moving, over ? 0.0102 : 0.0098, 1e-6);
+        steady_free(&s);
+    }
+    model_free(&m);
+}
+
 /* A looser tolerance finds it earlier; a block of two periods knows periods of two only. */
 static void options(void **state)
 {
@@ -308,4 +358,4 @@ static void options(void **state)
 
 TEST_MAIN(cmocka_unit_test(periodic), cmocka_unit_test(kinds),
           cmocka_unit_test(a_hidden_instability_is_waited_for), cmocka_unit_test(beginnings),
-          cmocka_unit_test(options))
+          cmocka_unit_test(nearly_returning), cmocka_unit_test(options))

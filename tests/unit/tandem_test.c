@@ -129,6 +129,95 @@ static void pendulum(void **state)
         near_rel(up.force[k], 2452.5 * sqrt(49) / 6, 1e-12);
 }
 
+/* Without moments of inertia the load is a box of the lifting base, as high as z or a quarter of
+ * the base, whichever is more: here 6 x 4 x 2 and 6 x 4 x 1.5 m, m (b^2 + c^2)/3 in halves. */
+static void pendulum_of_a_box(void **state)
+{
+    (void)state;
+
+    for (int i = 0; i < 2; i++) {
+        double z = i ? 0.5 : 1, half = i ? 0.75 : 1, d = 6 - z;
+        struct tandem t = {.hooks = 1,
+                           .slings = 4,
+                           .v = 6,
+                           .z = z,
+                           .base_half = 3,
+                           .base_cross = 2,
+                           .m_load = 1000,
+                           .g = 9.81};
+        struct gear s = suspended_tandem(&t);
+        struct hang up = hung(&s, HANG_DOWN);
+        struct sway m = swaying(&s, &up);
+
+        assert_int_equal(m.n, 2);
+        near_rel(m.omega2[0], 9.81 * d / (d * d + (9 + half * half) / 3), 1e-12);
+        near_rel(m.omega2[1], 9.81 * d / (d * d + (4 + half * half) / 3), 1e-12);
+    }
+}
+
+/* Under two hooks the box reaches from the outermost lifting point to that of the other side. */
+static void box_under_two_hooks(void **state)
+{
+    struct tandem t = reactor;
+    double a = 3.85, b = 2.95 + 1.5, c = 8.4;
+    struct gear s;
+    (void)state;
+
+    t.slings = 4;
+    t.base_cross = 1.5;
+    s = suspended_tandem(&t);
+    near_rel(s.body[TANDEM_LOAD].inertia[0][0], 1e5 * (b * b + c * c) / 3, 1e-14);
+    near_rel(s.body[TANDEM_LOAD].inertia[1][1], 1e5 * (a * a + c * c) / 3, 1e-14);
+    near_rel(s.body[TANDEM_LOAD].inertia[2][2], 1e5 * (a * a + b * b) / 3, 1e-14);
+}
+
+/* On two slings it has no breadth, and swings across as a double pendulum of the lengths l, d:
+ * the frequencies squared are the roots of g^2 l d - x g [l (d^2 + i) + d l^2] + x^2 l^2 i. */
+static void double_pendulum(void **state)
+{
+    const double g = 9.81, l = 6, d = 1, i = (0 + 1) / 3.0;
+    struct tandem t = {
+        .hooks = 1, .slings = 2, .v = l, .z = -d, .base_half = 3, .m_load = 1000, .g = g};
+    struct gear s = suspended_tandem(&t);
+    struct hang up = hung(&s, HANG_DOWN);
+    struct sway m = swaying(&s, &up);
+    (void)state;
+
+    assert_int_equal(m.n, 3);
+    near_rel(m.omega2[0], g * (l + d) / ((l + d) * (l + d) + (9 + 1) / 3.0), 1e-12);
+    near_rel(m.omega2[1] + m.omega2[2], g * (l * (d * d + i) + d * l * l) / (l * l * i), 1e-12);
+    near_rel(m.omega2[1] * m.omega2[2], g * g * d / (l * i), 1e-12);
+}
+
+/* A ring without mass in a row between two equal loads counts as 1e-6 of one of them: it swings up
+ * and down between its slings, which the loads do not feel. */
+static void ring_without_mass(void **state)
+{
+    const double none[3][3] = {{0}}, EA = 1e6, mass = 1000, W = mass * 9.81;
+    struct gear s = {.g = 9.81};
+    int from = gear_add_point(&s, GEAR_HOOK, 0, 0, 0);
+    struct hang h;
+    struct sway m;
+    double most = 0;
+    (void)state;
+
+    for (int b = 0; b < 3; b++) {
+        double z = -5.0 * (b + 1), T = b == 0 ? 2 * W : W;
+        int to;
+
+        gear_add_body(&s, b == 1 ? 0 : mass, (double[3]){0, 0, z}, none);
+        to = gear_add_point(&s, b, 0, 0, z);
+        gear_tighten(&s, gear_add_sling(&s, from, to, 0, EA), T / (EA + T));
+        from = to;
+    }
+    h = hung(&s, HANG_NEAR);
+    m = swaying(&s, &h);
+    for (int k = 0; k < m.n; k++)
+        if (m.body[k] == 1 && m.kind[k] == HEAVE)
+            most = m.omega2[k];
+    near_rel(most, 2 * (EA + W) / 5 / (1e-6 * mass), 1e-5);
+}
+
 /* A load on four vertical slings of its own hooks at (-+a, -+c), centre of gravity at (x, y) off
  * the middle, z below the points. */
 static struct gear four_hooks(double a, double c, double x, double y, double EA)
@@ -162,6 +251,34 @@ static void four_share(void **state)
         for (int k = 0; k < 4; k++)
             near_abs(h.force[k], W / 4 * (1 + (k % 2 ? x : -x) / a + (k / 2 ? y : -y) / c),
                      1e-4 * W);
+    }
+}
+
+/* As many slings and points as there is room for, in a row: they carry the load together. */
+static void full_room(void **state)
+{
+    (void)state;
+
+    for (int rigid = 0; rigid < 2; rigid++) {
+        struct gear s = {.g = 9.81};
+        double sum = 0;
+        struct hang h;
+
+        gear_add_body(&s, 1000, (double[3]){0, 0, -6},
+                      (const double[3][3]){{1e3, 0, 0}, {0, 2e3, 0}, {0, 0, 3e3}});
+        for (int k = 0; k < GEAR_SLINGS; k++) {
+            double x = k - (GEAR_SLINGS - 1) / 2.0, y = k % 2 ? 1 : -1;
+            int from = gear_add_point(&s, GEAR_HOOK, x, y, 0);
+
+            gear_add_sling(&s, from, gear_add_point(&s, 0, x, y, -5), 0, rigid ? INFINITY : 1e8);
+        }
+        assert_int_equal(gear_add_point(&s, 0, 0, 0, 0), -1);
+        assert_int_equal(gear_add_sling(&s, 0, 1, 0, INFINITY), -1);
+        h = hung(&s, HANG_DOWN);
+        below(unbalanced(&s, &h), 1e-10);
+        for (int k = 0; k < GEAR_SLINGS; k++)
+            sum += h.force[k];
+        near_rel(sum, 9810, 1e-9);
     }
 }
 
@@ -329,6 +446,9 @@ static void refusals(void **state)
 }
 
 TEST_MAIN(cmocka_unit_test(case_1_2_5), cmocka_unit_test(elastic_formulas),
-          cmocka_unit_test(pendulum), cmocka_unit_test(four_share), cmocka_unit_test(three_carry),
-          cmocka_unit_test(words), cmocka_unit_test(as_in_the_plane),
-          cmocka_unit_test(edges_in_space), cmocka_unit_test(refusals))
+          cmocka_unit_test(pendulum), cmocka_unit_test(pendulum_of_a_box),
+          cmocka_unit_test(box_under_two_hooks), cmocka_unit_test(double_pendulum),
+          cmocka_unit_test(ring_without_mass), cmocka_unit_test(four_share),
+          cmocka_unit_test(full_room), cmocka_unit_test(three_carry), cmocka_unit_test(words),
+          cmocka_unit_test(as_in_the_plane), cmocka_unit_test(edges_in_space),
+          cmocka_unit_test(refusals))
