@@ -112,7 +112,7 @@ static int print_row(const struct lift_table *t, const struct asked *a, const st
     result_row(&p.j, &a->result, p.has_exact ? &p.exact : NULL, o);
     *ret = p.j.verdict;
     if (a->tolerances)
-        result_cell(o, p.worst);
+        result_cell(o, p.j.worst);
     if (args.samples) {
         struct doubt d;
 

@@ -77,7 +77,6 @@ void appraise(const struct lift_given *g, const struct lift *l, double limit, in
     struct judge_by by = {.limit = limit, .worst = doubt_worst(g, l), .use = doubt_use(g, l)};
     struct exact corner;
 
-    ret->worst = by.worst;
     ret->has_exact = ret->failed = 0;
     if (exact || exact_needed(l))
         prove(g, l, exact, ret, &corner, &by);

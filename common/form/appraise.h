@@ -8,7 +8,6 @@
 #include "form/doubt.h"
 
 struct appraisal {
-    double worst;  /* doubt_worst; NAN: no tolerances */
     int has_exact; /* exact was computed, whole if it was asked for, else brief */
     int failed;    /* exact statics were asked for in vain; why tells */
     struct why why;

@@ -58,7 +58,7 @@ static void clear(struct judgement *j)
 {
     static const struct righting none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
 
-    j->c = j->h = j->least = j->coupled = j->document_least = NAN;
+    j->c = j->h = j->least = j->worst = j->coupled = j->document_least = NAN;
     j->z_critical = j->rise = j->v_critical = j->gamma_critical = NAN;
     j->centre = j->virtual_centre = j->use_primary = j->use_secondary = NAN;
     for (int i = 0; i < RIGGING_VIEWS; i++)
@@ -137,8 +137,10 @@ static void judge_pair(const struct lift *l, const struct judge_found *f, struct
         between(l, f->heights[0].document[f->view[0]], f->heights[1].document[f->view[1]]);
     ret->coupled = h;
     ret->least = fmin(ret->h, h);
-    ret->rise = h; /* raising G by dz takes m g dz from the stiffness against the load's tilt */
-    ret->z_critical = l->end[0].z + ret->rise;
+    if (!exact_stretches(l)) {
+        ret->rise = h; /* raising G by dz takes m g dz from the stiffness against the load's tilt */
+        ret->z_critical = l->end[0].z + h;
+    }
     for (int k = 0; k < 2; k++)
         judge_end(l, f, k, tilt, &end[k]);
     ret->centre = between(l, end[0].centre, end[1].centre);
@@ -184,7 +186,7 @@ void judge_by(const struct lift *l, const struct judge_by *by, struct judgement 
     clear(ret);
     find(l, &f);
     if (l->ends == 1)
-        judge_one(l, &f, 1, ret);
+        judge_one(l, &f, !exact_stretches(l), ret);
     else
         judge_pair(l, &f, ret);
     verdict_decide(l, &f, by, ret);

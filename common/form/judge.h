@@ -21,11 +21,13 @@ const char *verdict_name(enum verdict v);
 struct judgement {
     double c, h;    /* as published, corrected where theory says so; h in the worst view */
     double least;   /* the height that judges */
+    double worst;   /* the one within the tolerances; NAN: there are none, or it is not known */
     double coupled; /* in a pair over the tilt of a stiff load: sum of shares of h/r */
     double view[RIGGING_VIEWS]; /* h in each */
     double document[RIGGING_VIEWS], document_least;
-    double z_critical, rise; /* z at which stability ends; how far the centre may rise */
-    double v_critical, gamma_critical;
+    /* z at which stability ends; how far the centre may rise; NAN, too, if slings stretch and no
+     * formula counts it. */
+    double z_critical, rise, v_critical, gamma_critical;
     double centre, virtual_centre;     /* above the centre of gravity: of suspension, virtual one */
     struct righting at;                /* in the worst view; in a pair the worst of both ends */
     double use_primary, use_secondary; /* greatest force over working load limit */
@@ -50,7 +52,7 @@ double judge_use(const struct lift *l);
 /* What a verdict depends on beside the arrangement.  NAN: not asked for. */
 struct judge_by {
     double limit;              /* of h: below it the verdict is marginal */
-    double worst;              /* least height within the tolerances */
+    double worst;              /* bound of the height within the tolerances, by formulas */
     double use;                /* greatest judge_use within them */
     const struct exact *exact; /* NULL: formulas alone */
     /* The same, brief, of the arrangement within the tolerances that seems the worst, or NULL. */

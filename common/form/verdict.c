@@ -143,16 +143,27 @@ static int abstain(const struct lift *l, const struct judge_by *by, const char *
     return 1;
 }
 
+/* The least height within the tolerances that judges: the bound by the formulas, less what exact
+ * statics take from the height itself, or the height of the corner; NAN: there are no tolerances, or
+ * the slings stretch and only exact statics could tell. */
+static double least_within(const struct lift *l, const struct judge_by *by, double h)
+{
+    double exact = exact_least(by->exact), worst = by->worst;
+
+    if (isnan(worst) || (!by->exact && exact_stretches(l)))
+        return NAN;
+    if (!isinf(exact))
+        worst -= fmax(0, h - exact);
+    return by->corner ? fmin(worst, exact_least(by->corner)) : worst;
+}
+
 /* What the tolerances may do; 0: they leave it stable. */
 static int doubtful(const struct judge_by *by, const char *h, const char *formula,
                     struct judgement *j)
 {
     const struct exact *c = by->corner;
-    double exact = exact_least(by->exact), limit = by->limit;
-    double worst = by->worst - fmax(0, isinf(exact) ? 0 : j->least - exact);
+    double worst = j->worst, limit = by->limit;
 
-    if (c && !isnan(worst))
-        worst = fmin(worst, exact_least(c));
     if (isnan(worst) && !c)
         return 0;
     if (isinf(worst) && worst < 0)
@@ -212,6 +223,7 @@ void verdict_decide(const struct lift *l, const struct judge_found *f, const str
 {
     const char *h = where(l, f);
 
+    j->worst = least_within(l, by, j->least);
     if (isnan(j->least))
         say(j, VERDICT_NONE, "no height could be computed");
     else if (!(j->least > JUDGE_ROUND))

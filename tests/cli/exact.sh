@@ -86,6 +86,14 @@ sling $lift --set strain_wll=0.023 --limit 0.9 --exact >out
 for_all 'c["verdict"] == "marginal" && c["why"] ~ /by exact statics/' out 'and is the one below the limit'
 sling $lift --set strain_wll=0.023 --set z_m_tol=0.1 --samples 200 --limit 0.7 >out
 for_all 'c["p_below"] > 0.05 && c["h_mean_m"] < 0.95' out 'samples count the stretch'
+sling $lift --set strain_wll=0.023 --set z_m_tol=0.1 --design z_m=0 --exact >out
+for_all 'c["h_worst_m"] < c["exact_h_m"] && c["h_worst_m"] > c["exact_h_m"] - 0.2' out \
+    'the worst case counts it'
+for_all 'c["z_critical_m"] c["rise_critical_m"] c["v_critical_m"] c["gamma_critical_deg"] == ""' out \
+    'no critical number of rigid slings is told'
+z=$(columns design_z_m <out | tail -n 1)
+sling $lift --set strain_wll=0.023 --exact --set z_m="$z" >out
+for_all 'c["exact_h_m"]^2 < 1e-12' out 'the critical z that --design finds has no height'
 
 # Edges of the load hold what the formula calls unstable: that is told, and not called stable.
 sling --exact --set type=primary-secondary --set v_m=1 --set s_m=8 --set z_m=1.2 --set phi_deg=70 \

@@ -20,11 +20,12 @@ static void judged(const struct lift_given *g, const struct lift *l)
     check(isnan(worst) || worst <= height || exact_stretches(l));
     appraise(g, l, 0.5, 0, &p);
     j = p.j;
+    check(isnan(j.worst) || j.worst <= j.least);
     check(j.why[0] != '\0' && memchr(j.why, 0, sizeof j.why));
-    check(j.least <= j.h && (p.has_exact || j.least == height));
+    check(j.least <= j.h && (p.has_exact || isnan(height) || j.least == height));
     check(height > JUDGE_ROUND || isnan(height) || j.verdict == VERDICT_UNSTABLE);
     check(p.has_exact || j.verdict != VERDICT_UNSTABLE || !(height > JUDGE_ROUND));
-    check(j.verdict != VERDICT_STABLE || (height >= 0.5 && !(worst < 0.5)));
+    check(j.verdict != VERDICT_STABLE || (height >= 0.5 && !(j.worst < 0.5)));
     check(j.verdict != VERDICT_STABLE || !exact_needed(l) || p.has_exact);
     check(j.verdict != VERDICT_STABLE || !(j.use_primary > 1 || j.use_secondary > 1));
     doubt_slopes(g, l, slopes);
