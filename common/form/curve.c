@@ -9,10 +9,10 @@
 
 /* What changes while a sweep goes on; the orbits' windows stand behind it. */
 struct curve_state {
-    double slot, seed_slot;   /* of the present windows; negative: none yet */
-    double omega;      /* sum over the samples; in steps: of the last one */
-    double start, end; /* times of the first and last sample */
-    double amplitude;         /* largest of the first lateral mode since the last look */
+    double slot, seed_slot; /* of the present windows; negative: none yet */
+    double omega;           /* sum over the samples; in steps: of the last one */
+    double start, end;      /* times of the first and last sample */
+    double amplitude;       /* largest of the first lateral mode since the last look */
 };
 
 #define HEAD (sizeof(struct curve_state) / sizeof(double))

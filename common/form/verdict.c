@@ -144,7 +144,7 @@ static int abstain(const struct lift *l, const struct judge_by *by, const char *
 }
 
 /* The least height within the tolerances that judges: the bound by the formulas, less what exact
- * statics take from the height itself, or the height of the corner; NAN: there are no tolerances, or
+ * statics take from the height itself, or that of the corner; NAN: there are no tolerances, or
  * the slings stretch and only exact statics could tell. */
 static double least_within(const struct lift *l, const struct judge_by *by, double h)
 {

@@ -11,7 +11,7 @@
 
 #define ROUNDS 200
 #define TOLERANCE 1e-12 /* relative change of the shifted eigenvalues */
-#define GAP 1e-6 /* of an eigenvalue: what is narrower may be rounding between equal ones */
+#define GAP 1e-6        /* of an eigenvalue: what is narrower may be rounding between equal ones */
 #define NOTHING 1e-12   /* of a vector is left: it lies in the others, or moves no mass */
 
 struct run {

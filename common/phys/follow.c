@@ -7,7 +7,7 @@
 #include <string.h>
 
 #define SHORT (1.0 / 65536) /* of the first step: what lies behind is taken as it is */
-#define WEAK 1e-10        /* pivot over its diagonal entry at a start that leads nowhere */
+#define WEAK 1e-10          /* pivot over its diagonal entry at a start that leads nowhere */
 
 void follow_path_free(struct follow_path *p)
 {

@@ -4,8 +4,8 @@
  * SEILWERK_FAIL_ALLOC=n: the n-th malloc, calloc or realloc finds no memory; calls from within
  * OpenBLAS, libgfortran, the sanitizers and the dynamic loader do not count, they are not ours to
  * survive.
- * SEILWERK_FAIL_OUTPUT=n: the n-th open (to create), fdopen, fflush, fsync, fclose (of files to write), rename or
- * mkdir fails for want of space.
+ * SEILWERK_FAIL_OUTPUT=n: the n-th open (to create), fdopen, fflush, fsync, fclose (of files to
+ * write), rename or mkdir fails for want of space.
  */
 #include <dlfcn.h>
 #include <errno.h>
@@ -18,7 +18,6 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
-
 
 static long allocations = -1, outputs = -1; /* calls still to go; negative: not read yet */
 
@@ -47,8 +46,7 @@ static int allocation_fails(void *caller)
         allocations = setting("SEILWERK_FAIL_ALLOC");
     if (allocations <= 0 || !dladdr(caller, &info) || !info.dli_fname ||
         strstr(info.dli_fname, "blas") || strstr(info.dli_fname, "ld-linux") ||
-        strstr(info.dli_fname, "gfortran") || strstr(info.dli_fname, "san.so") ||
-        --allocations > 0)
+        strstr(info.dli_fname, "gfortran") || strstr(info.dli_fname, "san.so") || --allocations > 0)
         return 0;
     mark();
     return 1;

@@ -1,5 +1,5 @@
-/* Any words as a command line: refused with status 2, answered with status 0, or options within their
- * ranges and operands that were on the line.  The Makefile lets exit come back here. */
+/* Any words as a command line: refused with status 2, answered with status 0, or options within
+ * their ranges and operands that were on the line.  The Makefile lets exit come back here. */
 #include "fuzz.h"
 #include "sys/opt.h"
 

@@ -362,8 +362,12 @@ static void narrow_peak(void **state)
     (void)state;
 
     for (int i = 0; i < 6; i++) {
-        struct known k = {.given = GIVEN_FREQUENCY, .slack = 1, .part = PART_PLANE, .mode = 1,
-                          .law = LAW_THESIS, .elements = 2};
+        struct known k = {.given = GIVEN_FREQUENCY,
+                          .slack = 1,
+                          .part = PART_PLANE,
+                          .mode = 1,
+                          .law = LAW_THESIS,
+                          .elements = 2};
         struct cable c = pont;
         double chord = hypot(c.span, c.drop), before = 0, peak = 0, at = NAN, L0;
 
@@ -436,5 +440,4 @@ TEST_MAIN(cmocka_unit_test(forces_and_sags), cmocka_unit_test(lateral_frequencie
           cmocka_unit_test(frequencies_in_the_plane), cmocka_unit_test(slacker_in_the_plane),
           cmocka_unit_test(taut_string), cmocka_unit_test(closed_sags),
           cmocka_unit_test(weightless), cmocka_unit_test(warm), cmocka_unit_test(least_tension),
-          cmocka_unit_test(narrow_peak),
-          cmocka_unit_test(infeasible), cmocka_unit_test(memory))
+          cmocka_unit_test(narrow_peak), cmocka_unit_test(infeasible), cmocka_unit_test(memory))

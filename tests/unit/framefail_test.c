@@ -116,7 +116,7 @@ static void requests(void **state)
                 rod_load(&k.p, 2, 1, (double[6]){0, -1, 0});
                 k.o.arc = 1;
             }
-print_message("way %d %d\n", way, library);
+            print_message("way %d %d\n", way, library);
             assert_true((library ? fails_each_of_cholmod : fails_each)(walk, &k) > 15);
             rod_free(&k.p);
         }

@@ -316,6 +316,6 @@ static void scales(void **state)
 
 TEST_MAIN(cmocka_unit_test(scales), cmocka_unit_test(adrift), cmocka_unit_test(adrift_anyhow),
           cmocka_unit_test(loose_node), cmocka_unit_test(not_the_documents),
-          cmocka_unit_test(documents_iteration),
-          cmocka_unit_test(shapeless), cmocka_unit_test(lumped), cmocka_unit_test(one_hinge),
-          cmocka_unit_test(long_first_step), cmocka_unit_test(no_iterations))
+          cmocka_unit_test(documents_iteration), cmocka_unit_test(shapeless),
+          cmocka_unit_test(lumped), cmocka_unit_test(one_hinge), cmocka_unit_test(long_first_step),
+          cmocka_unit_test(no_iterations))

@@ -87,10 +87,10 @@ void dsaupd_c(int *ido, const char *bmat, int n, const char *which, int nev, dou
 }
 
 void dseupd_(const int *rvec, const char *howmny, int *select, double *d, double *z, const int *ldz,
-             const double *sigma, const char *bmat, const int *n, const char *which,
-             const int *nev, const double *tol, double *resid, const int *ncv, double *v,
-             const int *ldv, int *iparam, int *ipntr, double *workd, double *workl,
-             const int *lworkl, int *info, long l1, long l2, long l3)
+             const double *sigma, const char *bmat, const int *n, const char *which, const int *nev,
+             const double *tol, double *resid, const int *ncv, double *v, const int *ldv,
+             int *iparam, int *ipntr, double *workd, double *workl, const int *lworkl, int *info,
+             long l1, long l2, long l3)
 {
     void (*f)(const int *, const char *, int *, double *, double *, const int *, const double *,
               const char *, const int *, const char *, const int *, const double *, double *,

@@ -130,8 +130,8 @@ static void raft_new(struct raft *f)
         int b = cos(angle) > 0;
 
         f->node[2 * i] = at(15 + 100 * cos(angle), 100 * sin(angle), -30);
-        f->node[2 * i + 1] = (struct net_node){
-            .held = 7, .body = b + 1, .arm = {4 * cos(angle), 4 * sin(angle), 0}};
+        f->node[2 * i + 1] =
+            (struct net_node){.held = 7, .body = b + 1, .arm = {4 * cos(angle), 4 * sin(angle), 0}};
         f->rope[i] = rope(2 * i, 2 * i + 1, 96, 1e6, 50, 0);
     }
     f->node[2 * LEGS] = (struct net_node){.held = 7, .body = 1, .arm = {4, 0, 0}};

@@ -100,12 +100,8 @@ static void raft_new(struct raft *f, double EA)
             (struct net_node){.held = 7, .body = 1, .arm = {4 * cos(angle), 4 * sin(angle), 0}};
         f->rope[i] = rope(2 * i, 2 * i + 1, 102, EA, 50, 0);
     }
-    f->net = (struct net){.n = 2 * LEGS,
-                          .m = LEGS,
-                          .node = f->node,
-                          .rope = f->rope,
-                          .bodies = 1,
-                          .body = f->body};
+    f->net = (struct net){
+        .n = 2 * LEGS, .m = LEGS, .node = f->node, .rope = f->rope, .bodies = 1, .body = f->body};
     net_place_body(&f->net, 0);
 }
 
@@ -350,5 +346,4 @@ TEST_MAIN(cmocka_unit_test(toggle), cmocka_unit_test(few_steps),
           cmocka_unit_test(few_steps_of_bodies), cmocka_unit_test(few_steps_of_tuning),
           cmocka_unit_test(drag_of_nodes), cmocka_unit_test(joints_on_the_bed),
           cmocka_unit_test(out_of_the_world), cmocka_unit_test(no_length),
-          cmocka_unit_test(across_a_slope),
-          cmocka_unit_test(refused), cmocka_unit_test(laws))
+          cmocka_unit_test(across_a_slope), cmocka_unit_test(refused), cmocka_unit_test(laws))

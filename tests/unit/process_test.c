@@ -300,7 +300,7 @@ static void refusals(void **state)
     no_cut = 0;
     assert_int_equal(out_close(&o, &why), SW_OK);
     assert_int_equal(stat("a", &st), 0);
-    assert_int_equal(st.st_size, 10); /* nothing was cut */
+    assert_int_equal(st.st_size, 10);                      /* nothing was cut */
     assert_int_equal(out_resume(&o, "a", 4, &why), SW_OK); /* copied */
     assert_int_equal(out_bytes(&o), 4);
     assert_int_equal(out_keep(&o, &why), SW_OK);
@@ -445,9 +445,8 @@ static void progresses(void **state)
 static void take_list(void)
 {
     static struct opt_list list;
-    static const struct opt options[] = {
-        {"set", 0, OPT_LIST, &list, "TEXT", "take it", 0, 0},
-        {NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0}};
+    static const struct opt options[] = {{"set", 0, OPT_LIST, &list, "TEXT", "take it", 0, 0},
+                                         {NULL, 0, OPT_FLAG, NULL, NULL, NULL, 0, 0}};
     static const struct opt_tool tool = {"tool", "", "", options, NULL};
     static char *words[] = {"tool", "--set", "a", NULL};
 
