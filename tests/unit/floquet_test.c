@@ -101,14 +101,16 @@ static double onset(const struct parametric *p, double Omega, double low, double
 /* Two modes that only excite each other: the sum-type combination resonance. */
 static void combination(void **state)
 {
-    static const double zeta[][2] = {{1e-3, 1e-3}, {1e-3, 2e-3}, {5e-4, 1e-4}};
+    /* In the last row displacements are as 5 to 1 in energy, and both modes have to be named. */
+    static const double zeta[][2] = {{1e-3, 1e-3}, {1e-3, 2e-3}, {5e-4, 1e-4}, {1e-3, 2e-4}};
+    static const double second[] = {1.7, 1.7, 1.7, 5};
     (void)state;
 
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 4; i++)
         for (int detune = 0; detune < 3; detune++) {
             struct hand h;
             struct parametric *p = hand_begin(2, &h);
-            double w1 = 1, w2 = 1.7, d1 = zeta[i][0] * w1, d2 = zeta[i][1] * w2;
+            double w1 = 1, w2 = second[i], d1 = zeta[i][0] * w1, d2 = zeta[i][1] * w2;
             double s = 0.5 * detune * (d1 + d2), Omega = w1 + w2 + s, closed, found;
             struct boundary b[100];
             struct floquet f = {.steps = 0};
