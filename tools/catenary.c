@@ -137,6 +137,7 @@ static int run_table(const char *path, struct out *o)
     struct table t;
     struct in in;
     struct why why;
+    char place[512];
     int all = 1;
 
     must(in_open(path, &in, &why), &why);
@@ -160,6 +161,8 @@ static int run_table(const char *path, struct out *o)
                 csv_fail(&why, &t.csv, "static line: %s", status_text(s));
         }
         if (s == SW_OK) {
+            snprintf(place, sizeof place, "%.400s:%d: ", t.csv.name, t.csv.line);
+            start_doubt(&c, &line, place);
             putc(',', o->f);
             print_summary(&c, &line, o);
         } else {

@@ -240,6 +240,11 @@ int case_sweeps(const struct cable_case *c)
     return !isnan(c->sweep.sweep.from);
 }
 
+const char *case_model_name(int i)
+{
+    return i < N_KEYS && strcmp(keys[i].section, "damping") != 0 ? keys[i].name : NULL;
+}
+
 const struct key *case_model_key(const char *name)
 {
     const char *dot = strchr(name, '.');

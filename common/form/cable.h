@@ -148,6 +148,9 @@ enum status case_read(FILE *f, const char *name, const struct opt_list *sets,
  * without "section."; NULL: there is none. */
 const struct key *case_model_key(const char *name);
 
+/* Name of the i-th of these keys; NULL behind the last one. */
+const char *case_model_name(int i);
+
 /* Whether SECTION.KEY is a key of a case; the section may carry a label where it takes one. */
 int case_knows(const char *name);
 

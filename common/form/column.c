@@ -1,6 +1,7 @@
 /* Columns of sling: names, units, types. */
 #include "form/column.h"
 #include "num/pi.h"
+#include "sys/near.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -166,18 +167,6 @@ static void plain(const char *name, char ret[LIFT_NAME])
         }
 }
 
-/* Whether a and b differ by no more than one letter put in, left out or changed. */
-static int one_apart(const char *a, const char *b)
-{
-    size_t n = strlen(a), m = strlen(b), i = 0;
-
-    if (n > m)
-        return one_apart(b, a);
-    while (a[i] != '\0' && a[i] == b[i])
-        i++;
-    return m - n <= 1 && strcmp(a + i + (n == m && i < n), b + i + (i < m)) == 0;
-}
-
 const char *lift_nearly(const char *name, char ret[LIFT_NAME])
 {
     char mine[LIFT_NAME], its[LIFT_NAME];
@@ -186,8 +175,8 @@ const char *lift_nearly(const char *name, char ret[LIFT_NAME])
     for (int i = 0; i < LIFT_NUMBERS; i++) {
         lift_name(i, ret);
         plain(ret, its);
-        if (strcmp(mine, its) == 0 || (strlen(its) >= 4 && i < LIFT_E1 && one_apart(mine, its)) ||
-            (strlen(ret) >= 5 && one_apart(name, ret)))
+        if (strcmp(mine, its) == 0 || (strlen(its) >= 4 && i < LIFT_E1 && near_word(mine, its)) ||
+            (strlen(ret) >= 5 && near_word(name, ret)))
             return ret;
     }
     snprintf(ret, LIFT_NAME, "type");

@@ -1,21 +1,25 @@
 /* Beginning of a tool that works on a case file. */
 #include "form/start.h"
 
+#include <math.h>
 #include <stdlib.h>
 
-/* Numbers that are admissible, but seldom meant: most come from a wrong unit. */
-static void warn_of_units(const struct cable_case *c)
+void start_doubt(const struct cable_case *c, const struct line *line, const char *place)
 {
-    double density = c->bare.mu / c->area, strain = line_chord(&c->bare) / c->bare.L0 - 1;
+    double density = c->bare.mu / c->area, slack = c->bare.L0 / line_chord(&c->bare), strain;
+    struct line_point right;
 
+    line_at(line, line->cable.L0, &right);
+    strain = fmax(hypot(line->H, line->V), right.tension) / line->cable.EA;
     if (density < 500 || density > 30000)
-        warn("mass_per_length and area make a density of %.3g kg/m3: are the units right?",
+        warn("%smass_per_length and area make a density of %.3g kg/m3: are the units right?", place,
              density);
     if (c->youngs_modulus < 1e8 || c->youngs_modulus > 1e12)
-        warn("youngs_modulus = %.3g Pa: is the unit right?", c->youngs_modulus);
+        warn("%syoungs_modulus = %.3g Pa: is the unit right?", place, c->youngs_modulus);
     if (strain > 0.05)
-        warn("the chord is %.3g %% longer than the unstressed cable: are the units right?",
-             100 * strain);
+        warn("%sthe cable is stretched by %.3g %%: are the units right?", place, 100 * strain);
+    if (slack > 3)
+        warn("%sthe cable is %.3g times as long as its chord: are the units right?", place, slack);
 }
 
 int start_options(const struct opt_tool *tool, const struct opt_common *common, int argc,
@@ -33,12 +37,14 @@ int start_options(const struct opt_tool *tool, const struct opt_common *common, 
 void start_load(const struct opt_tool *tool, struct opt_common *common, int operand, int argc,
                 char **argv, struct cable_case *ret)
 {
+    struct line line;
     struct why why;
 
     if (operand != argc - 1)
         opt_usage(tool);
     must(case_load(argv[operand], &common->sets, ret, &why), &why);
-    warn_of_units(ret);
+    if (line_solve(&ret->cable, &line) == SW_OK)
+        start_doubt(ret, &line, "");
     if (ret->found)
         note("unstressed length %.12g m", ret->bare.L0);
     if (common->print_case) {

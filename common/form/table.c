@@ -2,12 +2,50 @@
 #include "form/table.h"
 #include "form/resolve.h"
 #include "num/mem.h"
+#include "sys/near.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+/* The key that column i seems to mean, by a slip of the hand or with a unit behind it (*ret_unit),
+ * and that no other column gives; NULL: none. */
+static const char *meant(const struct table *t, int i, int *ret_unit)
+{
+    const char *dot = strchr(t->csv.cell[i], '.'), *name = dot ? dot + 1 : t->csv.cell[i];
+    const char *unit = strrchr(name, '_'), *key;
+
+    for (int k = 0; (key = case_model_name(k)) != NULL; k++) {
+        int given = 0;
+
+        *ret_unit = unit && (size_t)(unit - name) == strlen(key) &&
+                    strncmp(name, key, strlen(key)) == 0 && strlen(unit + 1) <= 3;
+        for (int j = 0; j < t->n; j++)
+            given |= t->key[j] && t->key[j] == case_model_key(key);
+        if (!given && (*ret_unit || (strlen(key) >= 4 && near_word(name, key))))
+            return key;
+    }
+    return NULL;
+}
+
+/* A column that is no key: refused if it is nearly one, else only copied. */
+static enum status take_other(const struct table *t, int i, struct why *why)
+{
+    int unit;
+    const char *name = t->csv.cell[i], *key = meant(t, i, &unit);
+
+    if (key && !unit)
+        return csv_fail(why, &t->csv, "column %d: '%.60s' is no key of a cable; is %s meant?",
+                        i + 1, name, key);
+    if (strcmp(name, "name") != 0)
+        warn("%s:%d: column %d: '%.60s' is no key of a cable%s%s; it is only copied", t->csv.name,
+             t->csv.line, i + 1, name, key ? ", which has no unit in its name: " : "",
+             key ? key : "");
+    return SW_OK;
+}
+
 static enum status take_header(struct table *t, struct why *why)
 {
+    enum status s = SW_OK;
     int known = 0;
 
     for (int i = 0; i < t->n; i++)
@@ -16,18 +54,17 @@ static enum status take_header(struct table *t, struct why *why)
         return csv_fail(why, &t->csv,
                         "no column is a key of a cable; a header line is expected, such as "
                         "span,unstressed_length,...");
-    for (int i = 0; i < t->n; i++) {
+    for (int i = 0; i < t->n && s == SW_OK; i++) {
         const char *name = t->csv.cell[i];
 
         for (int j = 0; j < i; j++)
             if (strcmp(name, t->csv.cell[j]) == 0 || (t->key[i] && t->key[i] == t->key[j]))
                 return csv_fail(why, &t->csv, "columns %d and %d are both '%.60s'", j + 1, i + 1,
                                 name);
-        if (!t->key[i] && strcmp(name, "name") != 0)
-            warn("%s:%d: column %d: '%.60s' is no key of a cable; it is only copied", t->csv.name,
-                 t->csv.line, i + 1, name);
+        if (!t->key[i])
+            s = take_other(t, i, why);
     }
-    return SW_OK;
+    return s;
 }
 
 enum status table_begin(const struct in *in, const struct opt_list *sets, struct table *ret,

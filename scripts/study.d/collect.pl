@@ -4,12 +4,12 @@ use warnings;
 our (%opt);
 
 # Calls a function with each outcome of a chunk that is done: point, wait status (undef: all is
-# well), header, records or the reason.
+# well), header, records or the reason, what was said though all is well.
 sub outcomes
 {
     my ($file, $each) = @_;
     open my $in, '<:raw', $file or fail("$file: cannot be opened: $!");
-    my $header = '';
+    my ($header, $said) = ('', '');
     while (defined(my $line = <$in>)) {
         return if $line eq "end\n";
         my ($kind, $point, $status, $size) = $line =~ /\A(\w+) (\d+) (\d+) (\d+)\n/ or last;
@@ -19,8 +19,11 @@ sub outcomes
         chop $text;
         if ($kind eq 'header') {
             $header = $text;
+        } elsif ($kind eq 'said') {
+            $said = $text;
         } else {
-            $each->($point, $kind eq 'ok' ? undef : $status, $header, $text);
+            $each->($point, $kind eq 'ok' ? undef : $status, $header, $text, $said);
+            $said = '';
         }
     }
     fail("$file: is damaged; remove it, and its points are computed again");
@@ -32,7 +35,7 @@ sub survey
 {
     my ($job, $points) = @_;
     my $pack = open_pack("$job/pack");
-    my %all = (owner => [], undone => [], headers => [], failed => [], first => 0);
+    my %all = (owner => [], undone => [], headers => [], failed => [], warned => 0, first => 0);
     my (%missing, $last, %header);
     for my $k (1 .. $pack->{count}) {
         my @points = map { /\A(\d+)/ } pack_chunk($pack, $k);
@@ -57,8 +60,10 @@ sub survey
         }
     };
     $all{each}->(sub {
-        my ($point, $status, $header) = @_;
+        my ($point, $status, $header, $text, $said) = @_;
         push @{$all{failed}}, $point if defined $status;
+        $all{reason} //= "point $point: $text" if defined $status;
+        $all{warned}++ if $said ne '';
         push @{$all{headers}}, $header unless defined $status || $header{$header}++;
     });
     $all{missing} = keys %missing;
@@ -90,7 +95,22 @@ sub unite
     return (\@columns, \%from);
 }
 
-# Writes results.csv (or FILE) and failed.csv.
+# Writes DIR/NAME with the columns of the points and those that are named: what the function makes
+# of each outcome, nothing if that is empty.
+sub list_points
+{
+    my ($all, $names, $rows, $name, $columns, $cells) = @_;
+    write_whole("$opt{d}/$name", sub {
+        my $out = shift;
+        print $out csv_line('point', @$names, @$columns), "\n";
+        $all->{each}->(sub {
+            my @cells = $cells->(@_) or return;
+            print $out "$_[0],$rows->[$_[0] - 1],", csv_line(@cells), "\n";
+        });
+    });
+}
+
+# Writes results.csv (or FILE), failed.csv and warnings.csv.
 sub collect
 {
     my ($all, $names, $rows) = @_;
@@ -118,17 +138,14 @@ sub collect
     } else {
         write_whole($file, $results);
     }
-    return unlink "$opt{d}/failed.csv" unless @{$all->{failed}};
-    write_whole("$opt{d}/failed.csv", sub {
-        my $out = shift;
-        print $out csv_line('point', @$names, 'status', 'reason'), "\n";
-        $all->{each}->(sub {
-            my ($point, $status, $header, $text) = @_;
-            return unless defined $status;
-            $status = $status & 127 ? 'signal ' . ($status & 127) : $status >> 8;
-            print $out "$point,$rows->[$point - 1],", csv_line($status, $text), "\n";
-        });
-    });
+    unlink map { "$opt{d}/$_.csv" } qw(failed warnings);
+    list_points($all, $names, $rows, 'failed.csv', ['status', 'reason'], sub {
+        my ($point, $status, $header, $text) = @_;
+        return unless defined $status;
+        return ($status & 127 ? 'signal ' . ($status & 127) : $status >> 8, $text);
+    }) if @{$all->{failed}};
+    list_points($all, $names, $rows, 'warnings.csv', ['said'], sub { $_[4] ne '' ? $_[4] : () })
+        if $all->{warned};
 }
 
 1;

@@ -59,6 +59,17 @@ sub run_tool
     return ($status, $printed, eval { slurp("$scratch/stderr") } // '');
 }
 
+# What a tool said, on one line and without our names of its files.
+sub plain
+{
+    my ($said) = @_;
+    $said =~ s/\Q$scratch\E\/(?:files\/)?//g;
+    $said =~ s/\s+\z//;
+    $said =~ s/\n(?=\S)/; /g;
+    $said =~ s/\s+/ /g;
+    return $said;
+}
+
 # Why a point has no result: the last message, with the lines that continue it.
 sub reason
 {
@@ -69,8 +80,7 @@ sub reason
         $message = $message eq '' ? $_ : "$_ $message";
         last if /\A\S/;
     }
-    $message =~ s/\Q$scratch\E\/(?:files\/)?//g;
-    $message =~ s/\s+/ /g;
+    $message = plain($message);
     return $message if $message ne '' && !($status & 127);
     my $how = $status & 127 ? 'killed by signal ' . ($status & 127) : 'failed without a message';
     return $message eq '' ? $how : "$how: $message";
@@ -115,6 +125,7 @@ sub compute_points
         my ($header, @records) = $status ? () : eval { own_columns($printed, $names) };
         if (defined $header) {
             $put->('header', 0, 0, $header);
+            $put->('said', $point, 0, plain($said)) if $said =~ /\S/;
             $put->('ok', $point, 0, join "\n", @records);
         } else {
             $put->('failed', $point, $status, $status ? reason($status, $said) : $@ =~ s/\n//r);
@@ -135,8 +146,10 @@ sub compute_table
     # Messages name the line of the chunk; the user has that of the whole table.
     my %why;
     $said =~ s{^(.*?)\Q$table\E:(\d+):(.*)}{
-        my $point = $points[$2 - 2] // 0;
-        $why{$point} = "$1table.csv:" . ($point + 1) . ":$3";
+        my $point = $2 < 2 ? 0 : $points[$2 - 2] // 0; # 0: the header
+        my $message = "$1table.csv:" . ($point + 1) . ":$3";
+        $why{$point} = defined $why{$point} ? "$why{$point}; $message" : $message;
+        $message;
     }gem;
     my $usable = !($status & 127) && $status >> 8 <= 1; # 1: some rows could not be used
     my ($header, @records) = $usable ? eval { own_columns($printed, $names) } : ();
@@ -149,6 +162,7 @@ sub compute_table
         if ($wrong ne '') {
             $put->('failed', $points[$i], $status, $wrong);
         } elsif ($records[$i] =~ /[^,"]/) {
+            $put->('said', $points[$i], 0, plain($why{$points[$i]})) if defined $why{$points[$i]};
             $put->('ok', $points[$i], 0, $records[$i]);
         } else {
             $put->('failed', $points[$i], $status, $why{$points[$i]} // 'its result is empty');

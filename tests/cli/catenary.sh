@@ -278,6 +278,16 @@ holds 'near(c["vertical_left_N", 2] + c["vertical_right_N", 2], 2 * 9.81 * 130, 
     c["angle_left_rad", 1] + c["angle_right_rad", 1] > 0.1' out \
     'table: --set gives defaults for missing columns and empty cells'
 
+printf 'spann,unstressed_length,mass_per_length,axial_stiffness\n100,101,2,1e6\n' >slip.csv
+runs 2 'table: a slip of the hand' catenary --table slip.csv
+says "slip.csv:1: column 1: 'spann' is no key of a cable; is span meant?" 'is refused'
+printf 'span,drop_m,unstressed_length,mass_per_length,axial_stiffness\n100,5,101,2,1e6\n' >slip.csv
+runs 0 'table: a unit in a name' catenary --table slip.csv
+says "column 2: 'drop_m' is no key of a cable, which has no unit in its name: drop; it is only copied" 'is told'
+printf 'span,drop,drop_m,unstressed_length,mass_per_length,axial_stiffness\n100,5,5,1010,2,1e6\n' >slip.csv
+runs 0 'table: a length of another cable' catenary --table slip.csv
+says "column 3: 'drop_m' is no key of a cable; it is only copied" 'beside the key itself it is its own'
+says 'slip.csv:2: the cable is 10.1 times as long as its chord: are the units right?' 'rows are doubted'
 cat >bad.csv <<END
 name,span,unstressed_length,mass_per_length,axial_stiffness,colour
 ok,100,101,2,1e6,red

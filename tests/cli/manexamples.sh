@@ -1,6 +1,6 @@
 #!/bin/sh
 # Every example runs: of the manual pages, lines that begin with "$ ", continued by "> "; of the
-# README, indented blocks that begin with a tool or a loop.
+# README, indented blocks that begin with a tool, a table, a deck or a generator.
 . "$(dirname "$0")/../tap.sh"
 cd "$scratch" || exit 1
 mkdir bin && ln -s "$top/scripts/study" bin/seilwerk-study && PATH=$scratch/bin:$PATH
@@ -31,8 +31,8 @@ awk '/^    / { if (!inside) { inside = 1; n++ } sub(/^    /, ""); print >sprintf
      { inside = 0 }' "$top/README.md"
 run=0
 for block in block*; do
-    head -n 1 "$block" | grep -qE '^(catenary|modal|diffverf|for) ' || continue
-    command -v gnuplot >/dev/null || sed -i '/single-cable/d' "$block"
+    head -n 1 "$block" | grep -qE '^(catenary|modal|diffverf|for|\{|scripts/(net|wire)/[a-z]+|deck=[^ ]+) ' || continue
+    command -v gnuplot >/dev/null || sed -i '/single-cable\|scripts.plot/d' "$block"
     sh -eu "./$block" >out 2>err </dev/null
     status=$?
     { [ $status -eq 0 ] && [ ! -s err ]; } || sed 's/^/# /' "$block" err
@@ -40,6 +40,6 @@ for block in block*; do
     ok $? "README: $(head -n 1 "$block")"
     run=$((run + 1))
 done
-[ $run -ge 2 ]
-ok $? 'README: the pipeline and the study were found'
+[ $run -ge 7 ]
+ok $? 'README: its pipelines were found'
 finish

@@ -259,6 +259,20 @@ same wanted moody/results.csv 'all is in order'
 [ ! -e moody/failed.csv ]
 ok $? 'no failed points are left'
 
+# Warnings are kept, in either way of running; why the first point failed is said.
+printf '[cable]\nunstressed_length = 101\nmass_per_length = 40\narea = 5e-3\nyoungs_modulus = 1.95e11\n[supports]\nspan = 100\n' >doubt.ini
+runs 1 'doubtful points' study -d doubt --grid cable.youngs_modulus=1.95e11,195,-1 catenary --summary doubt.ini
+says '3 points: 2 done, 1 failed (see doubt/failed.csv); 1 with warnings (see doubt/warnings.csv)' 'are counted'
+says 'study: point 3: catenary: --set cable.youngs_modulus: -1 is outside' 'and why the first one failed'
+[ "$(wc -l <doubt/warnings.csv)" -eq 2 ] &&
+    grep -q '^2,195,catenary: youngs_modulus = 195 Pa: is the unit right?; catenary: the cable is stretched' \
+        doubt/warnings.csv
+ok $? 'what was said is kept'
+printf 'span,unstressed_length,mass_per_length,youngs_modulus,area\n100,101,40,1.95e11,5e-3\n100,101,40,195,5e-3\n' >rows.csv
+runs 0 'doubtful rows' study -d rows --table rows.csv catenary --table {}
+[ "$(sed 1d rows/warnings.csv)" = "2,$(sed -n 3p rows.csv),catenary: table.csv:3: youngs_modulus = 195 Pa: is the unit right?; catenary: table.csv:3: the cable is stretched by 2.03e+06 %: are the units right?" ]
+ok $? 'are told by their lines in the table'
+
 # A tool that is told to stop has not failed: its chunk is not done.  One that crashes has.
 cat >shot.sh <<'END'
 #!/bin/sh

@@ -110,7 +110,11 @@ says 'make a density of 0.00785 kg/m3: are the units right?' 'the density is dou
 runs 0 'gigapascals for pascals' catenary --set cable.youngs_modulus=210 stay.ini
 says 'youngs_modulus = 210 Pa: is the unit right?' 'the modulus is doubted'
 runs 0 'centimetres for metres' catenary --set supports.span=11050 stay.ini
-says 'longer than the unstressed cable: are the units right?' 'the strain is doubted'
+says 'the cable is stretched by 9.93e+03 %: are the units right?' 'the strain is doubted'
+runs 0 'a length of another cable' catenary --set cable.unstressed_length=1101.9 stay.ini
+says 'the cable is 9.97 times as long as its chord: are the units right?' 'the length is doubted'
+runs 0 'kN/m2 for Pa' catenary --set cable.youngs_modulus=1.76e8 stay.ini
+says 'the cable is stretched by ' 'a strain of more than 5 per cent is doubted'
 runs 0 'nothing that moves' diffverf --set 'motion deck.amplitude=' --set 'motion deck.omega=' \
     --set 'motion deck.support=' --set time.end=1 stay.ini
 says 'nothing moves this cable' 'is a warning'

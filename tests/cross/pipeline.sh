@@ -177,13 +177,19 @@ runs 2 'single-cable: no case' "$top/scripts/single-cable" "$scratch/none.ini" "
 [ ! -e "$scratch/none" ]
 ok $? 'single-cable: and no directory'
 
-# The first failure ends it: no motion without an end of time; old results are gone.
-mkdir "$scratch/run4" && cp "$scratch/run/response.csv" "$scratch/run/line.png" "$scratch/run4"
-
-runs 2 'single-cable: a case without motion' "$top/scripts/single-cable" "$scratch/case.ini" \
+# Without an end of time no motion; old results are gone.  The first failure ends it.
+mkdir "$scratch/run4" && cp "$scratch/run/response.csv" "$scratch/run/path.png" "$scratch/run4"
+runs 0 'single-cable: a case without motion' "$top/scripts/single-cable" "$scratch/case.ini" \
     "$scratch/run4" --set time.end=
-[ -s "$scratch/run4/modes.csv" ] && [ ! -e "$scratch/run4/line.png" ] &&
+grep -q '^no motion: the case has no \[time\] end' "$scratch/out" && [ -s "$scratch/run4/modes.png" ] &&
+    [ -s "$scratch/run4/line.png" ] && [ ! -e "$scratch/run4/path.png" ] &&
     [ ! -e "$scratch/run4/response.csv" ]
+ok $? 'single-cable: its line and modes'
+mkdir "$scratch/run5" && cp "$scratch/run/response.csv" "$scratch/run/path.png" "$scratch/run5"
+runs 2 'single-cable: a motion that cannot be' "$top/scripts/single-cable" "$scratch/case.ini" \
+    "$scratch/run5" --set time.step=1e-12 --set time.end=1e9
+[ -s "$scratch/run5/modes.csv" ] && [ ! -e "$scratch/run5/path.png" ] &&
+    [ ! -e "$scratch/run5/response.csv" ]
 ok $? 'single-cable: stopped at diffverf'
 
 # Odd cables are drawn as well: steep, straight, one element, no end of motion to speak of.
