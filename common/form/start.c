@@ -7,6 +7,7 @@
 void start_doubt(const struct cable_case *c, const struct line *line, const char *place)
 {
     double density = c->bare.mu / c->area, slack = c->bare.L0 / line_chord(&c->bare), strain;
+    double damping = sqrt(c->alpha * c->beta); /* least of alpha/(2 omega) + beta omega/2 */
     struct line_point right;
 
     line_at(line, line->cable.L0, &right);
@@ -20,6 +21,11 @@ void start_doubt(const struct cable_case *c, const struct line *line, const char
         warn("%sthe cable is stretched by %.3g %%: are the units right?", place, 100 * strain);
     if (slack > 3)
         warn("%sthe cable is %.3g times as long as its chord: are the units right?", place, slack);
+    if (c->load.temperature != 0 && c->load.expansion == 0)
+        warn("%stemperature_change does nothing without an expansion_coefficient", place);
+    if (damping > 0.5)
+        warn("%sall motions are damped with a ratio of %.3g or more: is zeta in per cent?", place,
+             damping);
 }
 
 int start_options(const struct opt_tool *tool, const struct opt_common *common, int argc,

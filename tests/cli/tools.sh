@@ -113,6 +113,11 @@ runs 0 'centimetres for metres' catenary --set supports.span=11050 stay.ini
 says 'the cable is stretched by 9.93e+03 %: are the units right?' 'the strain is doubted'
 runs 0 'a length of another cable' catenary --set cable.unstressed_length=1101.9 stay.ini
 says 'the cable is 9.97 times as long as its chord: are the units right?' 'the length is doubted'
+runs 0 'a change of temperature alone' catenary --set load.temperature_change=35 stay.ini
+says 'temperature_change does nothing without an expansion_coefficient' 'is told'
+runs 0 'per cent for a ratio' modal --set damping.alpha= --set damping.beta= --set 'damping.zeta=2 2' \
+    --set 'damping.omega=8 9' stay.ini
+says 'damped with a ratio of 2 or more: is zeta in per cent?' 'is doubted'
 runs 0 'kN/m2 for Pa' catenary --set cable.youngs_modulus=1.76e8 stay.ini
 says 'the cable is stretched by ' 'a strain of more than 5 per cent is doubted'
 runs 0 'nothing that moves' diffverf --set 'motion deck.amplitude=' --set 'motion deck.omega=' \
