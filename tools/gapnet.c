@@ -156,6 +156,11 @@ static void tell(const char *text)
     report(&why);
 }
 
+static void doubt(const char *text)
+{
+    warn("%s", text);
+}
+
 /* Largest distance between the nodes of the solution and those of another method [m]. */
 static double verify(void)
 {
@@ -190,13 +195,13 @@ static double verify(void)
 
 static void remark(void)
 {
-    struct net_doubt doubt;
+    struct net_doubt d;
     struct why why;
 
     must(net_within_tables(&all, &state, &why), &why);
-    must(net_doubt_new(&all, &doubt, &why), &why);
-    net_doubt_tell(&doubt, &state, "");
-    net_doubt_free(&doubt);
+    must(net_doubt_new(&all, &d, &why), &why);
+    net_doubt_tell(&d, &state, "");
+    net_doubt_free(&d);
 }
 
 /* The body that options speak of. */
@@ -401,7 +406,8 @@ int main(int argc, char **argv)
         die(SW_USAGE, "options --write-deck - and --stiffness: one of them needs a file");
     load(argv[operand]);
     if (args.lint)
-        return system_lint(&all, tell) > 0;
+        return system_lint(&all, 0, tell) > 0;
+    system_lint(&all, 1, doubt);
     o = solver_options(c.method);
     r.method = method_name(c.method);
     if (args.move)

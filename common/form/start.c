@@ -1,5 +1,6 @@
 /* Beginning of a tool that works on a case file. */
 #include "form/start.h"
+#include "form/odd.h"
 
 #include <stdlib.h>
 
@@ -8,7 +9,7 @@ static void warn_of_units(const struct cable_case *c)
 {
     double density = c->bare.mu / c->area, strain = line_chord(&c->bare) / c->bare.L0 - 1;
 
-    if (density < 500 || density > 30000)
+    if (odd_density(density))
         warn("mass_per_length and area make a density of %.3g kg/m3: are the units right?",
              density);
     if (c->youngs_modulus < 1e8 || c->youngs_modulus > 1e12)
