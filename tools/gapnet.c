@@ -1,6 +1,7 @@
 /* gapnet: equilibrium of systems of ropes and nets by the gap method. */
 #include "form/deck.h"
 #include "form/netbodies.h"
+#include "form/netdoubt.h"
 #include "form/netfiles.h"
 #include "form/nettarget.h"
 #include "form/start.h"
@@ -155,6 +156,11 @@ static void tell(const char *text)
     report(&why);
 }
 
+static void doubt(const char *text)
+{
+    warn("%s", text);
+}
+
 /* Largest distance between the nodes of the solution and those of another method [m]. */
 static double verify(void)
 {
@@ -189,42 +195,13 @@ static double verify(void)
 
 static void remark(void)
 {
+    struct net_doubt d;
     struct why why;
 
     must(net_within_tables(&all, &state, &why), &why);
-    for (int r = 0; r < all.net.m; r++) {
-        struct net_outline line;
-        double most;
-
-        net_outline(&all.net, &state, r, &line);
-        most = fabs(line.most);
-        if (most > all.type[all.type_of[r]].breaking)
-            warn("rope '%s' is over its breaking load: %.6g N", system_rope(&all, r), most);
-    }
-}
-
-/* In water ropes seldom hang below all that holds them: most of them would lie on a bed. */
-static void warn_of_bed(void)
-{
-    double bottom = INFINITY, lowest = INFINITY;
-    int which = -1;
-
-    for (int i = 0; i < all.net.n; i++)
-        if (all.net.node[i].held & 4)
-            bottom = fmin(bottom, all.net.node[i].x[2]);
-    for (int r = 0; r < all.net.m; r++) {
-        struct net_outline line;
-
-        net_outline(&all.net, &state, r, &line);
-        if (line.lowest < lowest) {
-            lowest = line.lowest;
-            which = r;
-        }
-    }
-    if (c.density > 0 && all.sea.bed.kind == BED_NONE && which >= 0 &&
-        lowest < bottom - 1e-6 * state.size)
-        warn("rope '%s' hangs %.3g m below the lowest node that is held: there is no bed",
-             system_rope(&all, which), bottom - lowest);
+    must(net_doubt_new(&all, &d, &why), &why);
+    net_doubt_tell(&d, &state, "");
+    net_doubt_free(&d);
 }
 
 /* The body that options speak of. */
@@ -429,7 +406,8 @@ int main(int argc, char **argv)
         die(SW_USAGE, "options --write-deck - and --stiffness: one of them needs a file");
     load(argv[operand]);
     if (args.lint)
-        return system_lint(&all, tell) > 0;
+        return system_lint(&all, 0, tell) > 0;
+    system_lint(&all, 1, doubt);
     o = solver_options(c.method);
     r.method = method_name(c.method);
     if (args.move)
@@ -443,7 +421,6 @@ int main(int argc, char **argv)
     if (args.moves)
         return print_curve(&o);
     remark();
-    warn_of_bed();
     if (args.verify)
         r.difference = verify();
     write_deck(&deck);

@@ -5,6 +5,7 @@
 #include "num/mem.h"
 #include "sys/number.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -184,6 +185,76 @@ enum status deck_take_options(const struct deck *d, struct deck_options *ret, st
     return s;
 }
 
+#define NAME 24 /* letters of an option, and one */
+#define SHORT 5 /* letters of a word that is not guessed at are fewer */
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int same_letter(char a, char b)
+{
+    return tolower((unsigned char)a) == tolower((unsigned char)b);
+}
+
+/* Letters put in, left out, changed or swapped with the next one between a and b, capitals or not;
+ * what is too long is far. */
+static int letters_apart(const char *a, const char *b)
+{
+    int d[NAME][NAME], n = (int)strlen(a), m = (int)strlen(b);
+
+    if (n >= NAME || m >= NAME)
+        return NAME;
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= m; j++) {
+            if (i == 0 || j == 0) {
+                d[i][j] = i + j;
+                continue;
+            }
+            d[i][j] = least(d[i - 1][j - 1] + !same_letter(a[i - 1], b[j - 1]),
+                            1 + least(d[i - 1][j], d[i][j - 1]));
+            if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) &&
+                same_letter(a[i - 2], b[j - 1]))
+                d[i][j] = least(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d[n][m];
+}
+
+/* The option that is meant by a word that is none, or NULL: one letter in four, at the most two,
+ * may be wrong; short words are not guessed at. */
+static const char *option_near(const char *word)
+{
+    int length = (int)strlen(word), most = least(length / 4, 2), best = most + 1;
+    const char *ret = NULL;
+
+    for (size_t k = 0; k < N_KNOWN + N_PASSED; k++) {
+        const char *name = k < N_KNOWN ? known[k].name : passed[k - N_KNOWN].name;
+        int apart = letters_apart(word, name);
+
+        if (length < SHORT || strlen(name) < SHORT || apart >= best)
+            continue;
+        best = apart;
+        /* of its names, the one that other codes read, too */
+        ret = k < N_KNOWN && strcmp(known[k].key, "depth") == 0 ? "WtrDpth" : name;
+    }
+    return ret;
+}
+
+/* An option whose name is nearly a known one is told; the many of dynamics are not. */
+static enum status pass_unknown(const struct deck *d, const struct deck_row *row, struct system *p,
+                                struct why *why)
+{
+    for (int k = least(row->n, 2) - 1; k >= 0; k--) {
+        const char *meant = k == 1 || !row->indented ? option_near(row->word[k]) : NULL;
+
+        if (meant)
+            return system_pass(p, 1, why, "%.400s:%d: option %.60s is not known; is %s meant?",
+                               d->name, row->line, row->word[k], meant);
+    }
+    return SW_OK;
+}
+
 /* What is said of one option that is passed over, or nothing. */
 static enum status pass_option(const struct deck *d, const struct deck_row *row, const char *name,
                                const char *value, struct system *p, struct why *why)
@@ -224,6 +295,8 @@ enum status deck_pass_options(const struct deck *d, struct system *p, struct why
         else if (row->indented && deck_same(row->word[0], "repeat"))
             s = system_pass(p, 0, why, "%.400s:%d: repeat behind a blank is a comment", d->name,
                             row->line);
+        else
+            s = pass_unknown(d, row, p, why);
     }
     return s;
 }

@@ -1,5 +1,6 @@
 /* Rigid bodies of a system of ropes. */
 #include "form/netbodies.h"
+#include "form/netdoubt.h"
 #include "form/netfiles.h"
 #include "form/sheet.h"
 #include "phys/attitude.h"
@@ -109,9 +110,11 @@ static double largest(const struct system *p, const struct net_state *s, int *re
     return most;
 }
 
-/* The rest of a row: forces and tension of the solved system, or why there are none. */
+/* The rest of a row: forces and tension of the solved system, or why there are none; place: of the
+ * row, before what is doubtful in it. */
 static enum status print_answer(struct system *p, const struct net_options *solver, int body,
-                                struct out *o, struct why *why)
+                                struct net_doubt *doubt, const char *place, struct out *o,
+                                struct why *why)
 {
     struct net_state s = {.x = NULL};
     double lines[6], own[6], most;
@@ -135,6 +138,7 @@ static enum status print_answer(struct system *p, const struct net_options *solv
         putc(',', o->f);
         out_cell(o, system_rope(p, rope));
         fputs(",solved\n", o->f);
+        net_doubt_tell(doubt, &s, place);
     } else if (status != SW_NOMEM) {
         fputs(",,,,,,,,,not-solved\n", o->f);
     }
@@ -142,11 +146,45 @@ static enum status print_answer(struct system *p, const struct net_options *solv
     return status;
 }
 
+/* One move: its row. */
+static enum status print_move(struct system *p, const struct net_options *solver, int body,
+                              const struct sheet *t, int i, struct net_doubt *doubt, struct out *o,
+                              int *ret_failed, struct why *why)
+{
+    const struct net_body from = p->net.body[body];
+    double move[N_MOVE];
+    struct why reason;
+    enum status s = SW_OK, solved;
+
+    for (int c = 0; c < N_MOVE && s == SW_OK; c++)
+        s = sheet_number(t, i, c, c < RX ? -1e9 : -100, c < RX ? 1e9 : 100, 0, &move[c], why);
+    if (s != SW_OK)
+        return s;
+    net_move_body(p, body, &from, move);
+    for (int c = 0; c < N_MOVE; c++) {
+        if (c > 0)
+            putc(',', o->f);
+        out_number(o, move[c]);
+    }
+    sheet_fail(&reason, t, i, "%s", ""); /* FILE:LINE: */
+    solved = print_answer(p, solver, body, doubt, reason.text, o, why);
+    p->net.body[body] = from;
+    if (solved == SW_NOMEM)
+        return fail_plain(why, solved);
+    if (solved != SW_OK) {
+        reason = *why;
+        sheet_fail(why, t, i, "not solved: %.400s", reason.text);
+        report(why);
+        ++*ret_failed;
+    }
+    return SW_OK;
+}
+
 enum status net_print_curve(struct system *p, const struct net_options *solver, int body,
                             const char *path, struct out *o, int *ret_failed, struct why *why)
 {
+    struct net_doubt doubt = {.told = NULL};
     struct sheet t;
-    const struct net_body from = p->net.body[body];
     enum status s = sheet_read(path, NULL, move_column, N_MOVE, &t, why);
 
     *ret_failed = 0;
@@ -155,32 +193,11 @@ enum status net_print_curve(struct system *p, const struct net_options *solver, 
     fputs("dx_m,dy_m,dz_m,rx_rad,ry_rad,rz_rad,fx_N,fy_N,fz_N,mx_Nm,my_Nm,mz_Nm,"
           "largest_tension_N,rope,status\n",
           o->f);
-    for (int i = 0; i < t.n && s == SW_OK; i++) {
-        double move[N_MOVE];
-        struct why reason;
-        enum status solved;
-
-        for (int c = 0; c < N_MOVE && s == SW_OK; c++)
-            s = sheet_number(&t, i, c, c < RX ? -1e9 : -100, c < RX ? 1e9 : 100, 0, &move[c], why);
-        if (s != SW_OK)
-            break;
-        net_move_body(p, body, &from, move);
-        for (int c = 0; c < N_MOVE; c++) {
-            if (c > 0)
-                putc(',', o->f);
-            out_number(o, move[c]);
-        }
-        solved = print_answer(p, solver, body, o, &reason);
-        if (solved == SW_NOMEM)
-            s = fail_plain(why, solved);
-        else if (solved != SW_OK) {
-            sheet_fail(why, &t, i, "not solved: %.400s", reason.text);
-            report(why);
-            ++*ret_failed;
-        }
-    }
-    p->net.body[body] = from;
+    s = net_doubt_new(p, &doubt, why);
+    for (int i = 0; i < t.n && s == SW_OK; i++)
+        s = print_move(p, solver, body, &t, i, &doubt, o, ret_failed, why);
     net_place_body(&p->net, body);
+    net_doubt_free(&doubt);
     sheet_free(&t);
     return s;
 }

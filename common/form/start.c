@@ -1,5 +1,6 @@
 /* Beginning of a tool that works on a case file. */
 #include "form/start.h"
+#include "form/odd.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@ void start_doubt(const struct cable_case *c, const struct line *line, const char
 
     line_at(line, line->cable.L0, &right);
     strain = fmax(hypot(line->H, line->V), right.tension) / line->cable.EA;
-    if (density < 500 || density > 30000)
+    if (odd_density(density))
         warn("%smass_per_length and area make a density of %.3g kg/m3: are the units right?", place,
              density);
     if (c->youngs_modulus < 1e8 || c->youngs_modulus > 1e12)

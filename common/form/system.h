@@ -104,8 +104,9 @@ const char *system_node(const struct system *s, int i);
 const char *system_rope(const struct system *s, int r);
 
 /* Find fault with what is admissible, but seldom meant; each finding is handed over with its place.
- * Returns their number. */
-int system_lint(const struct system *s, void (*tell)(const char *text));
+ * Before a solution what that will tell itself is left out: floats whose place is a guess, and that
+ * there is no bed.  Returns their number. */
+int system_lint(const struct system *s, int solves, void (*tell)(const char *text));
 
 /*
  * For readers of tables and decks: from what was said to what is computed.

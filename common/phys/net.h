@@ -104,7 +104,8 @@ struct net_state {
                               support's reaction; owned */
     double size;           /* of the system [m] */
     double most;           /* largest tension [N] */
-    double scale;          /* the same, but not below 1e-5 of the loads over the held nodes */
+    double scale;          /* the same, but not below 1e-5 of the loads over the held nodes; a
+                              tenth of them where a bed may bear them */
     struct net_step *step; /* (steps + 1) history; owned */
     int steps;
     double adrift; /* what free bodies are out of balance, over the largest tension or weight */

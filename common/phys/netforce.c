@@ -7,6 +7,7 @@
 #include <string.h>
 
 #define PART 1e-5   /* of the reference force: less than that is no tension to compare with */
+#define BEARS 0.1   /* of it over a bed: its push is known to the heights' last digit only */
 #define REST 1e-10  /* of the bed's hardness: stiffness of what nothing holds */
 #define STIFFER 10  /* powers of ten above that */
 #define THREADS 512 /* ropes from which threads share them */
@@ -194,7 +195,7 @@ struct net_step net_measure(const struct net *net, const double *t, const struct
     int counted = 0;
 
     s->most = 0;
-    s->scale = PART * w->reference;
+    s->scale = (w->hard > 0 ? BEARS : PART) * w->reference;
     for (int r = 0; r < net->m; r++) {
         double gap = net_length(w->gap + 3 * r) / s->size, ta[3], tb[3];
 

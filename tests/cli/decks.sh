@@ -251,6 +251,36 @@ ok $? 'needs no warning'
 sed 's/^0        WaveKin/1 Currents/' moordyn2.txt >current.txt
 runs 0 'a current' gapnet current.txt
 says 'current.txt:46: Currents 1 is passed over; set tables.current' 'is passed over with a warning'
+# meant WORD OPTION: a wrong name in place of WaveKin is told with the option that is meant.
+meant()
+{
+    sed "s/^0        WaveKin/60 $1/" moordyn2.txt >meant.txt
+    runs 0 "option $1" gapnet meant.txt
+    [ "$(cat err)" = "gapnet: meant.txt:46: option $1 is not known; is $2 meant?" ]
+    ok $? "is $2 meant?"
+}
+meant WaterDepth WtrDpth
+meant WtrDpht WtrDpth
+meant WTRDENSTY WtrDnsty
+meant gravty gravity
+meant SeaFloorFil SeafloorFile
+sed 's/^200      depth/Depht 200/' moorpy.txt >meant.txt
+runs 1 'lint: no depth' gapnet --lint meant.txt
+says 'meant.txt:16: option Depht is not known; is WtrDpth meant?' 'in the order of MAP++, too'
+says 'it hangs below its anchor: no depth is given, there is no bed' 'and what comes of it'
+# what only dynamics knows is near to none
+for option in dtM kbot cbot dtIC TmaxIC CdScaleIC threshIC tScheme writeLog dtOut WaveKin mc cv \
+    integration_dt kb_default cb_default outer_tol inner_ftol FricDamp StatDynFricScale; do
+    echo "0.1 $option"
+done >dynamics.txt
+{
+    sed '/WaveKin/,$d' moordyn2.txt
+    cat dynamics.txt
+    sed '1,/WaveKin/d' moordyn2.txt
+} >many.txt
+runs 0 'options of dynamics' gapnet many.txt
+[ ! -s err ]
+ok $? 'are passed over without a word'
 sed 's/(N-m^2)/(-)/; s/-1.0      0        1.3/-1.0      1e4        1.3/' moordyn2.txt >bends.txt
 runs 0 'bending' gapnet bends.txt
 says "bends.txt:6: EI of type 'chain' is passed over: ropes do not bend" 'is passed over with a warning'

@@ -317,6 +317,18 @@ runs 0 'from standard input' sh -c 'gapnet --moves - spread.ini <moves.csv'
 same curve.csv out 'the same'
 runs 0 'to a file' gapnet --moves moves.csv -o file.csv spread.ini
 same curve.csv file.csv 'the same'
+# What a row alone would warn of is told once, where it occurs first.
+printf 'type,diameter_m,mass_kg_m,ea_N,breaking_N\nchain,0.1,126,8e8,6e5\n' >weak-types.csv
+printf 'dx_m\n0\n-8\n0\n-9\n' >pull.csv
+runs 0 'a curve over a breaking load' gapnet --set tables.types=weak-types.csv --moves pull.csv spread.ini
+grep -q "^gapnet: pull.csv:3: rope '1' is over its breaking load: " err && [ "$(wc -l <err)" = 1 ]
+ok $? 'one warning, with the row in which it occurs first'
+runs 0 'without a bed' sh -c 'grep -v ^depth spread.ini >no-bed.ini; gapnet --moves pull.csv no-bed.ini'
+grep -q "^gapnet: pull.csv:2: rope '.' hangs .* m below the lowest node that is held" err && [ "$(wc -l <err)" = 1 ]
+ok $? 'one warning for all rows'
+runs 0 'quietly' gapnet -q --set tables.types=weak-types.csv --moves pull.csv spread.ini
+[ ! -s err ]
+ok $? 'no warning'
 printf 'dx_m\n-5\nfive\n' >bad.csv
 refused 'a move that is no number' "bad.csv:3: column 1: 'five': not a number" --moves bad.csv -o never.csv spread.ini
 printf 'dx_m,ry_deg\n-5,0\n' >bad.csv

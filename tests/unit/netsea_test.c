@@ -471,6 +471,35 @@ static void clump_on_bed(void **state)
     net_state_free(&s);
 }
 
+/* A weight that slack ropes leave to the bed: they carry next to nothing, it carries all, and the
+ * bed's push is known to the last digit of its height only. */
+static void weight_among_slack_ropes(void **state)
+{
+    static const double mass[] = {0.1, 20, 300, 20000, 1e6}, L0[] = {602, 610, 650, 900},
+                        guess[] = {-60, -40, NAN};
+    (void)state;
+
+    for (int k = 0; k < 5 * 4 * 3 * 3 * 3; k++) {
+        double weight = 9.81 * mass[k % 5];
+        int legs = 1 + k / 20 % 3, elements = k / 180 == 2 ? 30 : 0;
+        double w = k / 180 == 1 ? 1 : 1000;
+        struct net_node node[4] = {at(600, 0, -60), at(-300, 519.615, -60), at(-300, -519.615, -60),
+                                   loose(0, 0, -weight)};
+        struct net_rope part[3];
+        struct sea sea = {.bed = {.kind = BED_PLANE, .level = -60}};
+        struct net net = {.n = 4, .m = legs, .node = node, .rope = part, .sea = &sea};
+        struct net_state s;
+
+        node[3].x[2] = guess[k / 60 % 3];
+        for (int r = 0; r < legs; r++)
+            part[r] = rope(r, 3, L0[k / 5 % 4], 5.1e8, w, elements);
+        s = solve(&net, &exact);
+        near_abs(s.x[11], -60, 1e-6);
+        assert_true(s.push[3] >= weight * (1 - 1e-6));
+        net_state_free(&s);
+    }
+}
+
 /* What cannot touch, what only lies, what lifts: without a hint. */
 static void extremes(void **state)
 {
@@ -660,5 +689,5 @@ TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(friction_help
           cmocka_unit_test(hangs_beside_one_that_lies), cmocka_unit_test(two_parts),
           cmocka_unit_test(cross_flow), cmocka_unit_test(buoy_in_current),
           cmocka_unit_test(grid_is_plane), cmocka_unit_test(ridge), cmocka_unit_test(stiffness),
-          cmocka_unit_test(clump_on_bed), cmocka_unit_test(extremes),
-          cmocka_unit_test(random_moorings))
+          cmocka_unit_test(clump_on_bed), cmocka_unit_test(weight_among_slack_ropes),
+          cmocka_unit_test(extremes), cmocka_unit_test(random_moorings))
