@@ -102,12 +102,13 @@ static void print_derivatives(const struct lift_table *t, const struct lift_give
 }
 
 /* One row that can be used; returns whether what was asked for was found. */
-static int print_row(const struct lift_table *t, const struct asked *a, const struct lift_given *g,
+static int print_row(struct lift_table *t, const struct asked *a, const struct lift_given *g,
                      const struct lift *l, enum verdict *ret, struct why *why, struct out *o)
 {
     struct appraisal p;
     double found = 0;
 
+    lift_warn(t, l);
     appraise(g, l, a->limit, a->result.exact, &p);
     result_row(&p.j, &a->result, p.has_exact ? &p.exact : NULL, o);
     *ret = p.j.verdict;
@@ -157,7 +158,7 @@ static void print_refused(const struct lift_table *t, const struct asked *a, con
 
 /* The present row into *o, whose cells were read with s; returns whether it could be used and does
  * not fall short.  Its verdict is counted. */
-static int run_row(const struct lift_table *t, const struct asked *a, enum status s,
+static int run_row(struct lift_table *t, const struct asked *a, enum status s,
                    const struct lift_given *g, long count[], struct why *why, struct out *o)
 {
     enum verdict verdict = VERDICT_NONE;

@@ -96,6 +96,26 @@ holds 'near(c["force_low_kN", 3], 60 * 9.81 / 4 / cos(atan2(0, -1) / 6), 1e-12) 
     near(4 * c["force_low_kN", 1] * cos(26 * atan2(0, -1) / 180), 62 * 9.81, 1e-12)' out \
     'upright: slings carry the weight'
 
+# How many slings share the load is told where nobody gave it.
+bar='--set type=primary --set v_m=8 --set z_m=1 --set base_long_m=9'
+runs 0 'slings assumed' sling $bar --set m_load_t=120
+holds 'c["why", 1] ~ /; 4 slings assumed$/' out 'forces are those of four, why says'
+[ ! -s err ]
+ok $? 'without a warning, as there is no limit'
+runs 0 'slings given' sling $bar --set m_load_t=120 --set slings=2 --set wll_kN=2000
+[ ! -s err ] && ! grep -q assumed out
+ok $? 'slings given: nothing is assumed'
+runs 0 'neither forces nor slings' sling $bar
+! grep -q assumed out
+ok $? 'without forces it does not matter'
+runs 0 'limit without slings' sling --set offset_m= lifts.csv
+[ "$(grep -c 'slings is empty' err)" -eq 1 ]
+ok $? 'a working load limit without slings: one warning a table'
+says 'sling: lifts.csv:2: a working load limit, but slings is empty: 4 assumed' 'in its first row'
+runs 0 'limit without slings, a pair' sling --set type=pair --set m_load_t=30 --set e1_m=2 \
+    --set e2_m=3 --set z_m=-1 --set v_2_m=2 --set phi_2_deg=30 --set slings_2=4
+holds 'c["why", 1] ~ /; 1 sling assumed at end 1$/' out 'of a pair: which end'
+
 # What would make h zero.
 for what in z_critical_m:z_m v_critical_m:v_m gamma_critical_deg:gamma_deg; do
     sling lifts.csv >out
