@@ -173,6 +173,23 @@ holds 'c["why", 2] !~ /tolerances/' out 'contour: without tolerances'
 runs 0 'contour with tolerances' sling --set offset_m= --contour z_m=1.6:1.8:2,v_m=3.6:3.7:2 first.csv
 holds 'c["verdict", 1] == "marginal" && c["why", 1] ~ /within the tolerances/' out \
     'contour: tolerances count'
+cat >twice.csv <<END
+type,v_m,s_m,z_m,phi_deg,gamma_deg,m_spreader_t,base_long_m
+primary-secondary,8,6,1.5,32.005,-4.7636,4,9
+END
+runs 0 'contour: all given twice' sling --set m_load_t=120 --contour z_m,gamma_deg twice.csv
+says 'sling: 1640 of 1681 points contradict base_long_m = 9: leave it out to vary gamma_deg' \
+    'contour: how many points are none, and what to leave out'
+runs 0 'contour: one left out' sling --set m_load_t=120 --set base_long_m= \
+    --contour z_m,gamma_deg twice.csv
+[ ! -s err ]
+ok $? 'contour: then all are judged'
+runs 0 'contour: no base' sling --contour z_m,gamma_deg $alone --set gamma_deg=-4
+says '82 of 1681 points are not judged: gamma_deg: leaves no base' 'contour: other reasons'
+runs 1 'design: all given twice' sling --set m_load_t=120 --design v_m=7 twice.csv
+says '--design: other values of v_m contradict base_long_m = 9: leave it out' 'design: why'
+runs 1 'design: of what is not given' sling --design sling_m=1 first.csv
+says '--design: sling_m has no value to begin with' 'design: from where'
 runs 2 'contour of two rows' sling --contour z_m,v_m lifts.csv
 
 # The resolved case.
