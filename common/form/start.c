@@ -1,19 +1,19 @@
 /* Beginning of a tool that works on a case file. */
 #include "form/start.h"
+#include "form/units.h"
 
 #include <stdlib.h>
 
-/* Numbers that are admissible, but seldom meant: most come from a wrong unit. */
 static void warn_of_units(const struct cable_case *c)
 {
     double density = c->bare.mu / c->area, strain = line_chord(&c->bare) / c->bare.L0 - 1;
 
-    if (density < 500 || density > 30000)
+    if (units_doubt_density(density, UNITS_LIGHT))
         warn("mass_per_length and area make a density of %.3g kg/m3: are the units right?",
              density);
     if (c->youngs_modulus < 1e8 || c->youngs_modulus > 1e12)
         warn("youngs_modulus = %.3g Pa: is the unit right?", c->youngs_modulus);
-    if (strain > 0.05)
+    if (strain > UNITS_STRAIN)
         warn("the chord is %.3g %% longer than the unstressed cable: are the units right?",
              100 * strain);
 }
