@@ -230,6 +230,13 @@ ok $? 'no result is NaN'
 runs 1 'bad rows, -q' sling -q bad.csv
 [ "$(grep -c 'only copied' err)" -eq 0 ] && [ "$(grep -c 'bad.csv:' err)" -eq 9 ]
 ok $? 'warnings are silent, errors are not'
+{ cat lifts.csv; printf ',,,,,,,,,,,\n , ,,,,,,,,,,\n,\n'; } >sheet.csv
+runs 0 'rows of commas alone' sling sheet.csv
+sling -q lifts.csv >whole.csv
+same whole.csv out 'are passed over, as spreadsheets leave them'
+tr , '\t' <lifts.csv >tabs.csv
+runs 2 'tabs' sling tabs.csv
+says "tabs.csv:1: columns are separated by tabs; expected ','" 'are named'
 for word in V phi gama_deg phi_rad m_load_kg typ; do
     printf 'type,v_m,z_m,%s\nprimary,6,2,30\n' $word >near.csv
     runs 2 "a column that is nearly one: $word" sling near.csv
