@@ -1,7 +1,8 @@
 /* sling: is this lift stable?  Metacentric heights of arrangements, one a row. */
 #include "form/appraise.h"
-#include "form/axis.h"
+#include "form/contour.h"
 #include "form/lever.h"
+#include "form/redundant.h"
 #include "form/result.h"
 #include "sys/number.h"
 
@@ -101,13 +102,33 @@ static void print_derivatives(const struct lift_table *t, const struct lift_give
     fprintf(o->f, ",%s", greatest >= 0 ? name : "");
 }
 
+/* Why no value was found. */
+static void explain_design(const struct asked *a, const struct lift_given *g, struct why *why)
+{
+    char name[LIFT_NAME], other[REDUNDANT_TEXT];
+    int given = !isnan(g->x[a->design]), by = given ? redundant_near(g, a->design) : -1;
+
+    lift_name(a->design, name);
+    if (!given)
+        fail(why, SW_INFEASIBLE, "--design: %s has no value to begin with", name);
+    else if (by < 0)
+        fail(why, SW_INFEASIBLE, "--design: no %s near the present one gives %.6g m", name,
+             a->wanted);
+    else {
+        redundant_say(g, by, other);
+        fail(why, SW_INFEASIBLE, "--design: other values of %s contradict %s: leave it out", name,
+             other);
+    }
+}
+
 /* One row that can be used; returns whether what was asked for was found. */
-static int print_row(const struct lift_table *t, const struct asked *a, const struct lift_given *g,
+static int print_row(struct lift_table *t, const struct asked *a, const struct lift_given *g,
                      const struct lift *l, enum verdict *ret, struct why *why, struct out *o)
 {
     struct appraisal p;
     double found = 0;
 
+    lift_warn(t, l);
     appraise(g, l, a->limit, a->result.exact, &p);
     result_row(&p.j, &a->result, p.has_exact ? &p.exact : NULL, o);
     *ret = p.j.verdict;
@@ -126,13 +147,8 @@ static int print_row(const struct lift_table *t, const struct asked *a, const st
         result_cell(o, found / lift_unit(a->design));
     }
     putc('\n', o->f);
-    if (isnan(found)) {
-        char name[LIFT_NAME];
-
-        lift_name(a->design, name);
-        fail(why, SW_INFEASIBLE, "--design: no %s near the present one gives %.6g m", name,
-             a->wanted);
-    }
+    if (isnan(found))
+        explain_design(a, g, why);
     if (p.failed)
         *why = p.why;
     return !p.failed && !isnan(found);
@@ -157,7 +173,7 @@ static void print_refused(const struct lift_table *t, const struct asked *a, con
 
 /* The present row into *o, whose cells were read with s; returns whether it could be used and does
  * not fall short.  Its verdict is counted. */
-static int run_row(const struct lift_table *t, const struct asked *a, enum status s,
+static int run_row(struct lift_table *t, const struct asked *a, enum status s,
                    const struct lift_given *g, long count[], struct why *why, struct out *o)
 {
     enum verdict verdict = VERDICT_NONE;
@@ -280,33 +296,6 @@ static int print_levers(struct lift_table *t, struct out *o)
     return all;
 }
 
-static void print_contour(struct lift_given *g, double limit, struct out *o)
-{
-    struct axis a, b;
-    struct why why;
-
-    must(axes_read(args.contour, g, &a, &b, &why), &why);
-    fprintf(o->f, "%s,%s,h_m,verdict,why\n", a.name, b.name);
-    for (long i = 0; i < a.n && !out_failed(o); i++)
-        for (long k = 0; k < b.n; k++) {
-            struct appraisal p;
-            struct lift l;
-
-            g->x[a.number] = axis_value(&a, i) * lift_unit(a.number);
-            g->x[b.number] = axis_value(&b, k) * lift_unit(b.number);
-            if (lift_make(g, &l, &why) == SW_OK)
-                appraise(g, &l, limit, 0, &p);
-            else
-                judge_not(why.text, &p.j);
-            out_number(o, axis_value(&a, i));
-            result_cell(o, axis_value(&b, k));
-            result_cell(o, p.j.least);
-            fprintf(o->f, ",%s,", verdict_name(p.j.verdict));
-            out_cell(o, p.j.why);
-            putc('\n', o->f);
-        }
-}
-
 /* The first row, which must be the only one. */
 static void the_row(struct lift_table *t, struct lift_given *ret, struct why *why)
 {
@@ -411,10 +400,12 @@ int main(int argc, char **argv)
         judge_alone(&t);
     if (args.contour) {
         struct lift_given g;
+        struct axis a, b;
 
         the_row(&t, &g, &why);
+        must(axes_read(args.contour, &g, &a, &b, &why), &why);
         must(out_open(&o, args.common.out, &why), &why);
-        print_contour(&g, asked.limit, &o);
+        contour_print(&t, &g, &a, &b, asked.limit, &o);
     } else {
         must(out_open(&o, args.common.out, &why), &why);
         all = args.common.print_case ? print_cases(&t, &o)

@@ -1,6 +1,6 @@
 /* wirebeam: curved and twisted wires, strands and springs, in small and large deformation. */
 #include "form/start.h"
-#include "form/wirefiles.h"
+#include "form/wiredoubt.h"
 #include "phys/updated.h"
 #include "phys/vibrate.h"
 
@@ -64,6 +64,7 @@ static void load(const char *path)
         exit(0);
     }
     must(wire_load(path, &c, &all, &why), &why);
+    wire_doubt(&all);
     refused = c.method == WIRE_UPDATED ? updated_refused(&all.frame) : NULL;
     if (refused)
         die(SW_ADMISSIBLE, "method updated does not take %s", refused);
@@ -214,6 +215,8 @@ int main(int argc, char **argv)
     result.stresses = args.stresses;
     solve();
     remark();
+    if (wire_doubt_result(&all, &result) != SW_OK)
+        die(SW_NOMEM, "%s", status_text(SW_NOMEM));
     if (args.modes > 0)
         vibrate_about();
     print_results();

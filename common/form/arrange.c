@@ -94,6 +94,7 @@ static enum status make_one(const struct lift_given *g, struct lift *ret, struct
     for (int q = 0; q < LIFT_QUANTITIES; q++)
         x[q] = g->x[LIFT_AT(q, 0)];
     ret->ends = 1;
+    ret->assumed[0] = isnan(x[LIFT_SLINGS]);
     ret->share[0] = 1;
     ret->share[1] = 0;
     return complete(x, 0, (enum rigging_type)g->type[0], g->loose, &ret->end[0], &ret->detail[0],
@@ -165,7 +166,8 @@ static enum status make_end(const struct lift_given *g, int end, double m_load, 
                       "a pair is judged in the crosswise view; give base_cross");
     if (type == RIGGING_ELASTIC)
         x[LIFT_LONG] = x[LIFT_CROSS];
-    if (isnan(x[LIFT_SLINGS]))
+    ret->assumed[end - 1] = isnan(x[LIFT_SLINGS]);
+    if (ret->assumed[end - 1])
         x[LIFT_SLINGS] = type == RIGGING_SINGLE ? 1 : 2;
     return complete(x, end, (enum rigging_type)type, g->loose, &ret->end[end - 1],
                     &ret->detail[end - 1], why);

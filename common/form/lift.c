@@ -56,6 +56,21 @@ enum status lift_fail(const struct lift_table *t, struct why *why)
     return fail(why, SW_FORMAT, "%s%.500s", place(t, at), copy.text);
 }
 
+void lift_warn(struct lift_table *t, const struct lift *l)
+{
+    char at[512];
+
+    for (int k = 0; k < l->ends && !t->warned; k++) {
+        const struct suspension *a = &l->end[k];
+
+        if (!l->assumed[k] || isnan(a->m_load) || (isnan(a->wll) && isnan(a->wll_secondary)))
+            continue;
+        warn("%sa working load limit, but slings is empty: %g assumed%s, which share the load",
+             place(t, at), a->slings, l->ends == 2 ? " at an end" : "");
+        t->warned = 1;
+    }
+}
+
 const char *lift_reason(const struct lift_table *t, const struct why *why)
 {
     char at[512];

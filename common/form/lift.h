@@ -23,6 +23,7 @@ struct lift {
     int ends; /* 1, or 2 in a pair */
     struct suspension end[2];
     struct detail detail[2]; /* of each end, for exact statics */
+    int assumed[2];          /* whether their number of slings is the default */
     double share[2];         /* of the mass, sum 1 */
     double apart;            /* m, distance of the ends of a pair; NAN: not known */
     double offset;           /* m, with its tolerance; NAN: not given */
@@ -40,6 +41,7 @@ struct lift_table {
     struct csv csv;         /* name NULL: no file */
     int n_file, n;          /* columns of the file; with those that --set adds */
     int done;               /* the one arrangement of the command line has been given out */
+    int warned;             /* of slings that are only assumed, see lift_warn */
     struct lift_slot *slot; /* what each column is; owned */
 };
 
@@ -56,6 +58,10 @@ enum status lift_row(struct lift_table *t, struct lift_given *ret, int *ret_end,
 
 /* "file:line: " or "--set: " before what is wrong with the present row. */
 enum status lift_fail(const struct lift_table *t, struct why *why);
+
+/* Warn, once a table, if l, the present row, has a working load limit but only the default for the
+ * number of slings that it is compared by. */
+void lift_warn(struct lift_table *t, const struct lift *l);
 
 /* What is wrong without that place; points into why. */
 const char *lift_reason(const struct lift_table *t, const struct why *why);

@@ -83,6 +83,7 @@ static enum status read_table(const char *path, struct points *p, struct why *wh
         return s;
     p->name = in.name;
     s = csv_begin(&in, &csv, why);
+    csv.keep = 1; /* a point of empty cells is the case as it is */
     if (s == SW_OK)
         s = take_header(&csv, p, why);
     while (s == SW_OK) {

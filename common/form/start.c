@@ -1,6 +1,6 @@
 /* Beginning of a tool that works on a case file. */
 #include "form/start.h"
-#include "form/odd.h"
+#include "form/units.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,12 +13,12 @@ void start_doubt(const struct cable_case *c, const struct line *line, const char
 
     line_at(line, line->cable.L0, &right);
     strain = fmax(hypot(line->H, line->V), right.tension) / line->cable.EA;
-    if (odd_density(density))
+    if (units_doubt_density(density, UNITS_LIGHT))
         warn("%smass_per_length and area make a density of %.3g kg/m3: are the units right?", place,
              density);
     if (c->youngs_modulus < 1e8 || c->youngs_modulus > 1e12)
         warn("%syoungs_modulus = %.3g Pa: is the unit right?", place, c->youngs_modulus);
-    if (strain > 0.05)
+    if (strain > UNITS_STRAIN)
         warn("%sthe cable is stretched by %.3g %%: are the units right?", place, 100 * strain);
     if (slack > 3)
         warn("%sthe cable is %.3g times as long as its chord: are the units right?", place, slack);

@@ -1,6 +1,6 @@
 /* What is admissible in a system of ropes, but seldom meant. */
-#include "form/odd.h"
 #include "form/system.h"
+#include "form/units.h"
 #include "num/pi.h"
 #include "phys/touch.h"
 
@@ -55,7 +55,7 @@ static int lint_types(const struct system *s, void (*tell)(const char *text))
         const struct system_type *p = &s->type[i];
         double density = p->mass / (PI / 4 * p->diameter * p->diameter);
 
-        if (!(p->mass > 0 && p->diameter > 0) || !odd_density(density))
+        if (!(p->mass > 0 && p->diameter > 0) || !units_doubt_density(density, UNITS_LIGHT))
             continue;
         roll_fail(&why, &s->types, i,
                   "mass and diameter make a density of %.3g kg/m3: are the units right?", density);

@@ -218,6 +218,25 @@ static void add_exact(const struct lift *l, const struct exact *e, struct judgem
                  e->rest * 57.29577951308232);
 }
 
+/* A number of slings that nobody gave, where forces or uses depend on it. */
+static void add_slings(const struct lift *l, const struct exact *e, struct judgement *j)
+{
+    for (int k = 0; k < l->ends; k++) {
+        const struct judged_end *end = &j->end[k];
+        double force = l->ends == 1 ? j->at.primary_low : end->at.primary_low;
+        char which[20] = "";
+        size_t n = strlen(j->why);
+
+        if (!l->assumed[k] || (isnan(force) && !(e && !isnan(e->greatest[EXACT_PRIMARY])) &&
+                               isnan(verdict_use(l, j))))
+            continue;
+        if (l->ends == 2)
+            snprintf(which, sizeof which, " at end %d", k + 1);
+        snprintf(j->why + n, sizeof j->why - n, "; %g sling%s assumed%s", l->end[k].slings,
+                 l->end[k].slings == 1 ? "" : "s", which);
+    }
+}
+
 void verdict_decide(const struct lift *l, const struct judge_found *f, const struct judge_by *by,
                     struct judgement *j)
 {
@@ -232,4 +251,5 @@ void verdict_decide(const struct lift *l, const struct judge_found *f, const str
         compare(l, f, by, j);
     if (by->exact)
         add_exact(l, by->exact, j);
+    add_slings(l, by->exact, j);
 }

@@ -167,6 +167,40 @@ double wire_worst(const struct wire *p, const struct wire_result *r, int *ret_el
     return most;
 }
 
+/* Of the farthest fibre, and of shear by torsion; what is not known counts as 0. */
+static double strain_of(const struct section *s, const double force[4])
+{
+    double e[4] = {0};
+
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            e[i] += s->flexibility[i + 4 * j] * force[j];
+    e[0] = fabs(e[0]);
+    e[0] += s->shape == SECTION_ROUND || s->shape == SECTION_TUBE
+                ? hypot(e[1], e[2]) * s->ex
+                : fmax(0, fabs(e[1]) * s->ey) + fmax(0, fabs(e[2]) * s->ex);
+    return fmax(e[0], fabs(e[3]) * s->It / s->Wt);
+}
+
+double wire_strain(const struct wire *p, const struct wire_result *r, int *ret_element)
+{
+    double most = -1;
+
+    for (int i = 0; i < p->frame.beams; i++)
+        for (int k = 0; k < p->c.points; k++) {
+            struct cut c;
+            double strain;
+
+            cut_at(p, r, i, k / (p->c.points - 1.0), &c);
+            strain = strain_of(p->frame.beam[i].section, c.force);
+            if (strain > most) {
+                most = strain;
+                *ret_element = p->piece[i].element;
+            }
+        }
+    return most;
+}
+
 void wire_print_history(const struct wire *p, const struct wire_result *r, struct out *o)
 {
     fputs("step,time,iterations,residual,negative,energy_Nm", o->f);

@@ -36,4 +36,8 @@ enum status wire_write(const char *dir, const struct wire *p, const struct wire_
 /* Largest von Mises stress and the element, -1: no section knows its extent. */
 double wire_worst(const struct wire *p, const struct wire_result *r, int *ret_element);
 
+/* Largest strain at the points of the table of forces, of the axis and, where the section knows its
+ * extent, of bending or torsion with it, and the element. */
+double wire_strain(const struct wire *p, const struct wire_result *r, int *ret_element);
+
 #endif

@@ -110,6 +110,12 @@ static enum status parse(struct csv *c, const char *line, size_t length, struct 
     return SW_OK;
 }
 
+/* Commas, and blanks between them. */
+static int is_bare(const char *line)
+{
+    return line[strspn(line, ", \t")] == '\0' && strchr(line, ',');
+}
+
 enum status csv_row(struct csv *c, struct why *why)
 {
     struct csv_reader *r = c->reader;
@@ -139,7 +145,7 @@ enum status csv_row(struct csv *c, struct why *why)
             return csv_fail(why, c, "a NUL byte: this is no text file");
         if (strchr(line, '\r'))
             return csv_fail(why, c, "a carriage return inside of the line");
-        if (length == 0)
+        if (length == 0 || (!c->keep && is_bare(line)))
             continue;
         r->n = 0;
         r->used = 0;
@@ -165,6 +171,8 @@ enum status csv_header(struct csv *c, struct why *why)
         return fail(why, SW_FORMAT, "%s: is empty; a header line is expected", c->name);
     if (c->n == 1 && strchr(c->cell[0], ';'))
         return csv_fail(why, c, "columns are separated by ';'; expected ',' (and '.' in numbers)");
+    if (c->n == 1 && strchr(c->cell[0], '\t'))
+        return csv_fail(why, c, "columns are separated by tabs; expected ','");
     return SW_OK;
 }
 

@@ -2,7 +2,8 @@
  * CSV rows as RFC 4180 but LF, read line by line with exact line numbers.
  *
  * CR LF and a byte order mark are accepted; quotes close on their line; blank lines are passed
- * over; `;` as separator is named in the message.
+ * over, and so are rows of nothing but commas, which spreadsheets leave behind the last one; `;`
+ * and tabs as separators are named in the message.
  */
 #ifndef SEILWERK_SYS_CSV_H
 #define SEILWERK_SYS_CSV_H
@@ -18,6 +19,7 @@ struct csv {
     int line;         /* of the present row, from 1 */
     int n;            /* cells in it */
     char **cell;      /* NUL-terminated, valid until the next row */
+    int keep;         /* whether rows of nothing but commas count; set it after csv_begin */
     struct csv_reader *reader;
 };
 
@@ -29,7 +31,8 @@ enum status csv_begin(const struct in *in, struct csv *ret, struct why *why);
  * SW_NOMEM. */
 enum status csv_row(struct csv *c, struct why *why);
 
-/* The header row as csv_row, refused with a hint if it seems to be separated by semicolons. */
+/* The header row as csv_row, refused with a hint if it seems to be separated by semicolons or
+ * tabs. */
 enum status csv_header(struct csv *c, struct why *why);
 
 /* Whether the present row has n cells, as the header.  SW_FORMAT with both counts. */

@@ -53,6 +53,23 @@ place()
     at=
 }
 
+# ticks EXTENT: a step of 1, 2 or 5 times a power of ten that goes into it two to five times, so that
+# labels of a small panel do not run into each other; as gnuplot likes where there is no extent.
+ticks()
+{
+    awk -v extent="$1" 'BEGIN {
+        if (!(extent > 0)) { print "autofreq"; exit }
+        extent *= 1 - 1e-9
+        unit = 1e-300
+        while (unit < extent/50) unit *= 10
+        while (5*unit < extent) unit *= 10
+        step = unit
+        if (5*(unit/2) >= extent) step = unit/2
+        if (5*(unit/5) >= extent) step = unit/5
+        printf "%.6g\n", step
+    }'
+}
+
 # draw: the commands on stdin make the picture; it is written when it is complete.  The suffix of its
 # name says the format: png, svg or pdf.  $size and $text are for a picture that needs other ones.
 size=1200,800

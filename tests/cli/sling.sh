@@ -96,6 +96,26 @@ holds 'near(c["force_low_kN", 3], 60 * 9.81 / 4 / cos(atan2(0, -1) / 6), 1e-12) 
     near(4 * c["force_low_kN", 1] * cos(26 * atan2(0, -1) / 180), 62 * 9.81, 1e-12)' out \
     'upright: slings carry the weight'
 
+# How many slings share the load is told where nobody gave it.
+bar='--set type=primary --set v_m=8 --set z_m=1 --set base_long_m=9'
+runs 0 'slings assumed' sling $bar --set m_load_t=120
+holds 'c["why", 1] ~ /; 4 slings assumed$/' out 'forces are those of four, why says'
+[ ! -s err ]
+ok $? 'without a warning, as there is no limit'
+runs 0 'slings given' sling $bar --set m_load_t=120 --set slings=2 --set wll_kN=2000
+[ ! -s err ] && ! grep -q assumed out
+ok $? 'slings given: nothing is assumed'
+runs 0 'neither forces nor slings' sling $bar
+! grep -q assumed out
+ok $? 'without forces it does not matter'
+runs 0 'limit without slings' sling --set offset_m= lifts.csv
+[ "$(grep -c 'slings is empty' err)" -eq 1 ]
+ok $? 'a working load limit without slings: one warning a table'
+says 'sling: lifts.csv:2: a working load limit, but slings is empty: 4 assumed' 'in its first row'
+runs 0 'limit without slings, a pair' sling --set type=pair --set m_load_t=30 --set e1_m=2 \
+    --set e2_m=3 --set z_m=-1 --set v_2_m=2 --set phi_2_deg=30 --set slings_2=4
+holds 'c["why", 1] ~ /; 1 sling assumed at end 1$/' out 'of a pair: which end'
+
 # What would make h zero.
 for what in z_critical_m:z_m v_critical_m:v_m gamma_critical_deg:gamma_deg; do
     sling lifts.csv >out
@@ -153,6 +173,23 @@ holds 'c["why", 2] !~ /tolerances/' out 'contour: without tolerances'
 runs 0 'contour with tolerances' sling --set offset_m= --contour z_m=1.6:1.8:2,v_m=3.6:3.7:2 first.csv
 holds 'c["verdict", 1] == "marginal" && c["why", 1] ~ /within the tolerances/' out \
     'contour: tolerances count'
+cat >twice.csv <<END
+type,v_m,s_m,z_m,phi_deg,gamma_deg,m_spreader_t,base_long_m
+primary-secondary,8,6,1.5,32.005,-4.7636,4,9
+END
+runs 0 'contour: all given twice' sling --set m_load_t=120 --contour z_m,gamma_deg twice.csv
+says 'sling: 1640 of 1681 points contradict base_long_m = 9: leave it out to vary gamma_deg' \
+    'contour: how many points are none, and what to leave out'
+runs 0 'contour: one left out' sling --set m_load_t=120 --set base_long_m= \
+    --contour z_m,gamma_deg twice.csv
+[ ! -s err ]
+ok $? 'contour: then all are judged'
+runs 0 'contour: no base' sling --contour z_m,gamma_deg $alone --set gamma_deg=-4
+says '82 of 1681 points are not judged: gamma_deg: leaves no base' 'contour: other reasons'
+runs 1 'design: all given twice' sling --set m_load_t=120 --design v_m=7 twice.csv
+says '--design: other values of v_m contradict base_long_m = 9: leave it out' 'design: why'
+runs 1 'design: of what is not given' sling --design sling_m=1 first.csv
+says '--design: sling_m has no value to begin with' 'design: from where'
 runs 2 'contour of two rows' sling --contour z_m,v_m lifts.csv
 
 # The resolved case.
@@ -193,6 +230,13 @@ ok $? 'no result is NaN'
 runs 1 'bad rows, -q' sling -q bad.csv
 [ "$(grep -c 'only copied' err)" -eq 0 ] && [ "$(grep -c 'bad.csv:' err)" -eq 9 ]
 ok $? 'warnings are silent, errors are not'
+{ cat lifts.csv; printf ',,,,,,,,,,,\n , ,,,,,,,,,,\n,\n'; } >sheet.csv
+runs 0 'rows of commas alone' sling sheet.csv
+sling -q lifts.csv >whole.csv
+same whole.csv out 'are passed over, as spreadsheets leave them'
+tr , '\t' <lifts.csv >tabs.csv
+runs 2 'tabs' sling tabs.csv
+says "tabs.csv:1: columns are separated by tabs; expected ','" 'are named'
 for word in V phi gama_deg phi_rad m_load_kg typ; do
     printf 'type,v_m,z_m,%s\nprimary,6,2,30\n' $word >near.csv
     runs 2 "a column that is nearly one: $word" sling near.csv

@@ -127,6 +127,10 @@ same points.out out 'gives the same'
 { printf '\357\273\277'; sed 's/$/\r/' points.csv; } >dos.csv
 runs 0 'CR LF and a byte order mark' diffverf $short --points dos.csv rope.ini
 same points.out out 'give the same'
+printf 'name,damping.beta\n,\n,0\n' >bare.csv
+runs 0 'a point of empty cells' diffverf $short --points bare.csv rope.ini
+[ "$(wc -l <out)" -eq 3 ]
+ok $? 'is the case as it is'
 tr , ';' <points.csv >semicolon.csv
 runs 2 'semicolons' diffverf --points semicolon.csv rope.ini
 says 'semicolon' 'are named'

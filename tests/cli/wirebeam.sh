@@ -255,6 +255,37 @@ refused 'modes of linear theory' 'option --modes belongs to method equilibrium' 
 refused 'too many modes' 'there are only 12 unknowns' --modes 13
 sed 's/,density_kg_m3//; s/,1000$//' quarter/sections.csv >quarter/light.csv
 refused 'modes without mass' "the section of element '1' has no density_kg_m3" --modes 3 --set tables.sections=light.csv
+
+# Numbers that cannot be meant, and turns that meet.
+"$top/scripts/wire/helix" spring 0.02 0.01 6 12 0.004 -100
+runs 0 'a spring' wirebeam spring/case.ini
+[ ! -s err ]
+ok $? 'has nothing that is doubted'
+printf 'section,shape,E_Pa,G_Pa,density_kg_m3,diameter_m\nwire,round,2.06e11,7.9e10,%s\n' 7850,4 \
+    >spring/wrong.csv
+runs 0 'a wire of four metres' wirebeam --set tables.sections=wrong.csv spring/case.ini
+says 'spring/wrong.csv:2: 4 m thick, but element ' 'is doubted'
+printf 'section,shape,E_Pa,G_Pa,density_kg_m3,diameter_m\nwire,round,7.9e10,2.06e11,7.85,0.004\n' \
+    >spring/wrong.csv
+runs 0 'E and G swapped, g/cm3' wirebeam --set tables.sections=wrong.csv spring/case.ini
+says 'wrong.csv:2: E_Pa and G_Pa make a Poisson ratio of -0.808, not within' 'Poisson ratio'
+says 'wrong.csv:2: a density of 7.85 kg/m3: is the unit right?' 'density'
+printf 'section,shape,E_Pa,G_Pa,diameter_m\nwire,round,2.06e8,7.9e7,0.004\n' >spring/wrong.csv
+runs 0 'kilonewtons' wirebeam --method linear --set tables.sections=wrong.csv spring/case.ini
+says 'spring/elements.csv:' 'a large strain has its line'
+says 'where small ones are computed: is the unit right?' 'and is doubted'
+for force in -400 -600; do
+    printf 'node,fz_N\nend,%s\n' $force >spring/loads.csv
+    runs 0 "turns that meet, $force N" wirebeam spring/case.ini
+    says 'is 0.004 m thick: contact is not computed' 'are told'
+done
+# turned as a whole no element comes near another one
+printf 'node,ux,uy,uz,rx,ry,rz\nn0,0,0,0,3.1,0,0\n' >spring/supports.csv
+printf 'node,fz_N\nend,0.01\n' >spring/loads.csv
+runs 0 'a spring that is turned over' wirebeam --set solve.steps=20 spring/case.ini
+[ ! -s err ]
+ok $? 'has turns that keep their distance'
+
 runs 2 'no operand' wirebeam
 runs 2 'both -o and -d' wirebeam -o never.csv -d never $case
 runs 2 'no such case' wirebeam nothing.ini

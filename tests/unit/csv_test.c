@@ -67,11 +67,11 @@ static void rows_and_lines(void **state)
     struct file f;
     (void)state;
 
-    begin(&f, "a,b,c\n1,2.5,-3e7\n\n , x y ,\n,,\n4");
+    begin(&f, "a,b,c\n1,2.5,-3e7\n\n , x y ,\n,,0\n4");
     row(&f, 1, "a|b|c");
     row(&f, 2, "1|2.5|-3e7");
     row(&f, 4, "|x y|");
-    row(&f, 5, "||");
+    row(&f, 5, "||0");
     assert_int_equal(f.csv.n, 3);
     row(&f, 6, "4");
     no_more(&f);
@@ -183,10 +183,33 @@ static void headers(void **state)
     assert_string_equal(why.text, "test:1: columns are separated by ';'; expected ',' (and '.' in "
                                   "numbers)");
     end(&f);
+    begin(&f, "a\tb\n1\t2\n");
+    assert_int_equal(csv_header(&f.csv, &why), SW_FORMAT);
+    assert_string_equal(why.text, "test:1: columns are separated by tabs; expected ','");
+    end(&f);
     begin(&f, "\n\n");
     assert_int_equal(csv_header(&f.csv, &why), SW_FORMAT);
     assert_string_equal(why.text, "test: is empty; a header line is expected");
     end(&f);
+}
+
+/* Rows of nothing but commas, as spreadsheets leave them, unless they are to count. */
+static void bare_rows(void **state)
+{
+    struct file f;
+    (void)state;
+
+    begin(&f, "a,b\n,\n1,\n , \t\n,,,\n\"\",\n,");
+    row(&f, 1, "a|b");
+    row(&f, 3, "1|");
+    row(&f, 6, "|");
+    no_more(&f);
+    begin(&f, "a,b\n,\n1,\n");
+    f.csv.keep = 1;
+    row(&f, 1, "a|b");
+    row(&f, 2, "|");
+    row(&f, 3, "1|");
+    no_more(&f);
 }
 
 static void numbers(void **state)
@@ -289,5 +312,5 @@ static void memory(void **state)
 TEST_MAIN(cmocka_unit_test(rows_and_lines), cmocka_unit_test(line_ends),
           cmocka_unit_test(carriage_returns), cmocka_unit_test(quotes),
           cmocka_unit_test(wrong_quotes), cmocka_unit_test(nul_bytes), cmocka_unit_test(headers),
-          cmocka_unit_test(numbers), cmocka_unit_test(long_lines), cmocka_unit_test(unreadable),
-          cmocka_unit_test(memory))
+          cmocka_unit_test(bare_rows), cmocka_unit_test(numbers), cmocka_unit_test(long_lines),
+          cmocka_unit_test(unreadable), cmocka_unit_test(memory))
