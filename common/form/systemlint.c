@@ -1,6 +1,6 @@
 /* What is admissible in a system of ropes, but seldom meant. */
-#include "form/units.h"
 #include "form/system.h"
+#include "form/units.h"
 #include "num/pi.h"
 #include "phys/touch.h"
 
