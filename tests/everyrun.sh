@@ -7,8 +7,8 @@ faults=$SEILWERK_BUILD/tests/faults.so
 modal -d whole -o whole.csv stay.ini
 cat >table.csv <<END
 name,span,mass_per_length,axial_stiffness,sag,frequency,elements
-a,100,2,1e6,3,,
-"b, 2",100,2,1e6,,1.1,2
+a,100,2,1e7,3,,
+"b, 2",100,2,1e7,,1.1,2
 END
 
 cp "$top/scripts/experiments/lifts/cases.csv" lifts.csv

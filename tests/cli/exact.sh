@@ -162,7 +162,7 @@ runs 1 'require of a table without rows' sling --require stable none.csv
 says 'none.csv: has no row that could be stable' 'says so'
 
 # Working load limits within the tolerances.
-wll='--set type=primary --set v_m=6 --set z_m=-1 --set phi_deg=30 --set m_load_t=60 --set wll_kN=175'
+wll='-q --set type=primary --set v_m=6 --set z_m=-1 --set phi_deg=30 --set m_load_t=60 --set wll_kN=175'
 sling $wll >out
 for_all 'c["verdict"] == "stable" && c["use_primary"] > 0.95' out 'slings that bear the load'
 sling $wll --set m_load_t_tol=5 >out

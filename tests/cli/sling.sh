@@ -121,7 +121,7 @@ for what in z_critical_m:z_m v_critical_m:v_m gamma_critical_deg:gamma_deg; do
     sling lifts.csv >out
     value=$(awk -F, -v c="${what%:*}" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i }
         NR == 2 { print $k }' out)
-    sling --set "${what#*:}=$value" first.csv >out
+    sling -q --set "${what#*:}=$value" first.csv >out
     holds 'abs(c["h_m", 1]) < 1e-9' out "${what%:*} put back makes h = 0"
 done
 
@@ -148,9 +148,9 @@ holds 'c["matters_most", 1] == "gamma_deg"' out 'what matters most'
 
 # Design.
 for column in v_m gamma_deg m_spreader_t z_m s_m; do
-    sling --design $column=1.2 first.csv >out
+    sling -q --design $column=1.2 first.csv >out
     value=$(sed -n '2s/.*,//p' out)
-    sling --set "$column=$value" first.csv >out
+    sling -q --set "$column=$value" first.csv >out
     holds 'near(c["h_m", 1], 1.2, 1e-6)' out "design $column: put back"
 done
 runs 1 'design: there is none' sling --design phi_deg=100 first.csv
