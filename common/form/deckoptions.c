@@ -202,7 +202,7 @@ static int same_letter(char a, char b)
  * what is too long is far. */
 static int letters_apart(const char *a, const char *b)
 {
-    int d[NAME][NAME], n = (int)strlen(a), m = (int)strlen(b);
+    int d[NAME][NAME] = {{0}}, n = (int)strlen(a), m = (int)strlen(b);
 
     if (n >= NAME || m >= NAME)
         return NAME;
