@@ -39,7 +39,7 @@ static struct span half_square(const struct span *x)
     return span_square(scaled(0.5, *x));
 }
 
-/* v, or v from the sling; 0: the sling may be too short. */
+/* v, or v from the sling; 0: the sling may be too short, or nothing tells its angle. */
 static int find_v(const struct rigging_box *b, struct span *ret)
 {
     const struct span *first, *second;
@@ -48,13 +48,11 @@ static int find_v(const struct rigging_box *b, struct span *ret)
     *ret = b->v;
     if (is_given(ret))
         return 1;
-    if (b->type == RIGGING_SECONDARY) {
-        *ret = span_mul(b->sling, span_cos(b->phi));
-        return 1;
-    }
     first = b->type == RIGGING_ELASTIC ? &b->base[b->one_hook] : &b->base[0];
     second = b->type == RIGGING_ELASTIC ? first : &b->base[1]; /* the view along one base alone */
-    if (!is_given(first) && !is_given(second)) {
+    if (b->type == RIGGING_SECONDARY || (!is_given(first) && !is_given(second))) {
+        if (!is_given(&b->phi))
+            return 0;
         *ret = span_mul(b->sling, span_cos(b->phi));
         return 1;
     }
