@@ -136,6 +136,7 @@ static int child(void (*work)(void))
     assert_true(pid >= 0 && fd >= 0);
     if (pid == 0) {
         dup2(fd, 2);
+        signal(SIGINT, SIG_DFL); /* a shell in the background has it ignored */
         err_tool("/usr/bin/tool");
         work();
         _exit(0);
