@@ -47,6 +47,12 @@ run()
     points) diffverf -d whole -q --threads 1 --points points.csv -o result/out.csv \
         --set steady.periods=2 --set time.end=2 --set disturbance.mode=1 \
         --set disturbance.amplitude=0.01 stay.ini ;;
+    stabil) stabil -d whole -q --threads 1 -o result/out.csv --set 'stability.modes=1 2' \
+        --set stability.harmonics=3 --set stability.ratio_start=0.9 --set stability.ratio_end=1 \
+        --set stability.ratio_step=0.1 stay.ini ;;
+    floquet) stabil -q --threads 1 -o result/out.csv --set stability.method=floquet \
+        --set stability.modes=1 --set stability.ratio_start=1 --set stability.ratio_end=1 \
+        --set stability.amplitude_step=0.5 stay.ini ;;
     print) catenary --print-case -o result/out.csv stay.ini ;;
     sling) sling -o result/out.csv --set name=x lifts.csv ;;
     lift) sling -o result/out.csv --samples 10 --derivatives --design v_m=3 lift.csv ;;
@@ -84,9 +90,9 @@ run()
 }
 
 # All names of run.
-every_run='catenary modal diffverf sweep steady points print table stiffness sling lift exact lever
-    contour gapnet gapnodes gapdeck writedeck seamoves seabed pretension gapcheck wire wirearc
-    wiremodes wirelinear updated'
+every_run='catenary modal diffverf sweep steady points stabil floquet print table stiffness
+    sling lift exact lever contour gapnet gapnodes gapdeck writedeck seamoves seabed pretension
+    gapcheck wire wirearc wiremodes wirelinear updated'
 
 # allocation N NAME, output N NAME: the run, whose N-th request for memory or act of writing fails.
 allocation()
