@@ -4,6 +4,7 @@
 #include "phys/network.h"
 #include "phys/sea.h"
 #include "phys/touch.h"
+#include "phys/voyage.h"
 
 #include <string.h>
 
@@ -683,11 +684,55 @@ static void random_moorings(void **state)
     }
 }
 
+/* Drag [N] along x on an element of 1 m from the origin along y, across 3 and along 0.5 kg/m2, in a
+ * current of 1 m/s along x: its nodes' ropes head along x where way is 1, the bed pushes with push.
+ */
+static double drag_of_element(const double way[2], double tension, const double push[2])
+{
+    double z = 0, u = 1, v0 = 0, x[6] = {0, 0, 0, 0, 1, 0}, t[3] = {0, tension, 0};
+    double pushes[2] = {push[0], push[1]}, bar[3] = {0, tension, 0}, fresh[6], held[6] = {0};
+    struct sea sea = {.current = {1, &z, &u, &v0}};
+    struct net_node node[2] = {at(0, 0, 0), at(0, 1, 0)};
+    struct net_rope r = rope(0, 1, 1, 1e6, 0, 1);
+    struct net net = {.n = 2, .m = 1, .node = node, .rope = &r, .sea = &sea};
+    struct net_state s = {.x = x, .t = t, .scale = 1};
+    struct voyage v = {.net = &net,
+                       .o = &exact,
+                       .w = {.push = pushes, .bar = bar, .hard = 1},
+                       .s = &s,
+                       .fresh = fresh,
+                       .held = held};
+
+    node[0].way[0] = way[0];
+    node[1].way[0] = way[1];
+    r.across = 3;
+    r.along = 0.5;
+    voyage_look(&v, NULL, 0, 0);
+    return fresh[0] + fresh[3];
+}
+
+/* What lies slack has the heading of its rope, known at either end, and any other its own. */
+static void slack_on_the_bed(void **state)
+{
+    static const double none[2] = {0, 0}, first[2] = {1, 0}, last[2] = {0, 1}, both[2] = {1, 1};
+    (void)state;
+
+    near_rel(drag_of_element(both, 0, both), 0.5, 1e-12);
+    near_rel(drag_of_element(first, 0, both), 0.5, 1e-12);
+    near_rel(drag_of_element(last, 0, both), 0.5, 1e-12);
+    near_rel(drag_of_element(both, 0, first), 0.5, 1e-12);
+    near_rel(drag_of_element(both, 0, last), 0.5, 1e-12);
+    near_rel(drag_of_element(none, 0, both), 3, 1e-12);
+    near_rel(drag_of_element(both, 0, none), 3, 1e-12);
+    near_rel(drag_of_element(both, 1e-3, both), 3, 1e-12);
+}
+
 TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(friction_helps_the_anchor),
           cmocka_unit_test(chain_in_current), cmocka_unit_test(points_on_the_bed),
           cmocka_unit_test(weight_on_a_slope), cmocka_unit_test(length_of_chains),
           cmocka_unit_test(hangs_beside_one_that_lies), cmocka_unit_test(two_parts),
           cmocka_unit_test(cross_flow), cmocka_unit_test(buoy_in_current),
           cmocka_unit_test(grid_is_plane), cmocka_unit_test(ridge), cmocka_unit_test(stiffness),
-          cmocka_unit_test(clump_on_bed), cmocka_unit_test(weight_among_slack_ropes),
-          cmocka_unit_test(extremes), cmocka_unit_test(random_moorings))
+          cmocka_unit_test(clump_on_bed), cmocka_unit_test(slack_on_the_bed),
+          cmocka_unit_test(weight_among_slack_ropes), cmocka_unit_test(extremes),
+          cmocka_unit_test(random_moorings))
