@@ -685,17 +685,17 @@ static void random_moorings(void **state)
 }
 
 /* Drag [N] along x on an element of 1 m from the origin along y, across 3 and along 0.5 kg/m2, in a
- * current of 1 m/s along x: its nodes' ropes head along x where way is 1, the bed pushes with push.
- */
+ * current of 0.6 and 0.8 m/s along x and y, where the largest tension is 2000 N: its nodes' ropes
+ * head along x where way is 1, the bed pushes with push. */
 static double drag_of_element(const double way[2], double tension, const double push[2])
 {
-    double z = 0, u = 1, v0 = 0, x[6] = {0, 0, 0, 0, 1, 0}, t[3] = {0, tension, 0};
+    double z = 0, u = 0.6, v0 = 0.8, x[6] = {0, 0, 0, 0, 1, 0}, t[3] = {0, tension, 0};
     double pushes[2] = {push[0], push[1]}, bar[3] = {0, tension, 0}, fresh[6], held[6] = {0};
     struct sea sea = {.current = {1, &z, &u, &v0}};
     struct net_node node[2] = {at(0, 0, 0), at(0, 1, 0)};
     struct net_rope r = rope(0, 1, 1, 1e6, 0, 1);
     struct net net = {.n = 2, .m = 1, .node = node, .rope = &r, .sea = &sea};
-    struct net_state s = {.x = x, .t = t, .scale = 1};
+    struct net_state s = {.x = x, .t = t, .scale = 2000};
     struct voyage v = {.net = &net,
                        .o = &exact,
                        .w = {.push = pushes, .bar = bar, .hard = 1},
@@ -715,16 +715,18 @@ static double drag_of_element(const double way[2], double tension, const double 
 static void slack_on_the_bed(void **state)
 {
     static const double none[2] = {0, 0}, first[2] = {1, 0}, last[2] = {0, 1}, both[2] = {1, 1};
+    double along = 0.5 * 0.6 * 0.6, across = 3 * 0.6 * 0.6; /* of the part along x */
     (void)state;
 
-    near_rel(drag_of_element(both, 0, both), 0.5, 1e-12);
-    near_rel(drag_of_element(first, 0, both), 0.5, 1e-12);
-    near_rel(drag_of_element(last, 0, both), 0.5, 1e-12);
-    near_rel(drag_of_element(both, 0, first), 0.5, 1e-12);
-    near_rel(drag_of_element(both, 0, last), 0.5, 1e-12);
-    near_rel(drag_of_element(none, 0, both), 3, 1e-12);
-    near_rel(drag_of_element(both, 0, none), 3, 1e-12);
-    near_rel(drag_of_element(both, 1e-3, both), 3, 1e-12);
+    near_rel(drag_of_element(both, 0, both), along, 1e-12);
+    near_rel(drag_of_element(first, 0, both), along, 1e-12);
+    near_rel(drag_of_element(last, 0, both), along, 1e-12);
+    near_rel(drag_of_element(both, 0, first), along, 1e-12);
+    near_rel(drag_of_element(both, 0, last), along, 1e-12);
+    near_rel(drag_of_element(both, 1e-3, both), along, 1e-12);
+    near_rel(drag_of_element(none, 0, both), across, 1e-12);
+    near_rel(drag_of_element(both, 0, none), across, 1e-12);
+    near_rel(drag_of_element(both, 3e-3, both), across, 1e-12);
 }
 
 TEST_MAIN(cmocka_unit_test(chain_to_closed_form), cmocka_unit_test(friction_helps_the_anchor),
